@@ -1,0 +1,71 @@
+# Everything comes from the system's packages; scripts/setup.sh installs them on Debian.
+set(THREADS_PREFER_PTHREAD_FLAG ON)
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(TBB REQUIRED)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(OpenSSL REQUIRED COMPONENTS Crypto)
+find_package(nlohmann_json REQUIRED)
+find_package(yaml-cpp REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(PNG REQUIRED)
+find_package(PkgConfig REQUIRED)
+
+# Bullet's own config file sets directory-wide variables; pkg-config gives the same without side effects.
+pkg_check_modules(BULLET REQUIRED IMPORTED_TARGET bullet)
+add_library(scanchor_bullet INTERFACE)
+target_include_directories(scanchor_bullet SYSTEM INTERFACE ${BULLET_INCLUDE_DIRS})
+target_link_libraries(scanchor_bullet INTERFACE BulletDynamics BulletCollision LinearMath)
+
+# Embree 4 renamed its headers; sim/embree_compat.hpp hides the difference.
+find_package(embree 4 QUIET)
+if(NOT embree_FOUND)
+  find_package(embree 3 REQUIRED)
+endif()
+add_library(scanchor_embree INTERFACE)
+target_link_libraries(scanchor_embree INTERFACE embree)
+target_compile_definitions(scanchor_embree INTERFACE SCANCHOR_EMBREE_MAJOR=${embree_VERSION_MAJOR})
+
+# CGAL and nanoflann are header-only here: no config files, so no flags that CGAL would add.
+find_path(CGAL_INCLUDE CGAL/Exact_predicates_inexact_constructions_kernel.h REQUIRED)
+add_library(scanchor_cgal INTERFACE)
+target_include_directories(scanchor_cgal SYSTEM INTERFACE ${CGAL_INCLUDE})
+target_link_libraries(scanchor_cgal INTERFACE gmp mpfr)
+
+find_path(NANOFLANN_INCLUDE nanoflann.hpp REQUIRED)
+add_library(scanchor_nanoflann INTERFACE)
+target_include_directories(scanchor_nanoflann SYSTEM INTERFACE ${NANOFLANN_INCLUDE})
+
+find_package(OpenCV REQUIRED COMPONENTS core imgproc)
+add_library(scanchor_opencv INTERFACE)
+target_include_directories(scanchor_opencv SYSTEM INTERFACE ${OpenCV_INCLUDE_DIRS})
+target_link_libraries(scanchor_opencv INTERFACE opencv_core opencv_imgproc)
+
+set(SCANCHOR_ASSIMP)
+find_package(assimp QUIET)
+if(assimp_FOUND)
+  set(SCANCHOR_ASSIMP assimp::assimp)
+endif()
+pkg_check_modules(SERD IMPORTED_TARGET serd-0)
+set(SCANCHOR_SERD)
+if(SERD_FOUND)
+  set(SCANCHOR_SERD PkgConfig::SERD)
+endif()
+
+# One off-screen context is linked: OSMesa where it exists, surfaceless EGL elsewhere. Never both:
+# libOSMesa and libGL export the same symbols.
+find_library(OSMESA_LIBRARY OSMesa)
+find_library(EGL_LIBRARY EGL)
+find_library(OPENGL_LIBRARY NAMES OpenGL GL)
+add_library(scanchor_gl INTERFACE)
+set(SCANCHOR_GL_CONTEXT none)
+if(SCANCHOR_GL MATCHES "^(auto|osmesa)$" AND OSMESA_LIBRARY)
+  set(SCANCHOR_GL_CONTEXT osmesa)
+  target_link_libraries(scanchor_gl INTERFACE ${OSMESA_LIBRARY})
+elseif(SCANCHOR_GL MATCHES "^(auto|egl)$" AND EGL_LIBRARY AND OPENGL_LIBRARY)
+  set(SCANCHOR_GL_CONTEXT egl)
+  target_link_libraries(scanchor_gl INTERFACE ${EGL_LIBRARY} ${OPENGL_LIBRARY})
+endif()
+target_compile_definitions(scanchor_gl INTERFACE GL_GLEXT_PROTOTYPES)
+message(STATUS "Off-screen context: ${SCANCHOR_GL_CONTEXT}")

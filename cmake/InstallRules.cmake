@@ -1,0 +1,2 @@
+include(CMakePackageConfigHelpers)
+get_property(rooms GLOBAL PROPERTY SCANCHOR_ROOMS)

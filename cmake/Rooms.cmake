@@ -1,0 +1,58 @@
+# One folder at the top is one room is one library, scanchor_<room>.
+add_library(scanchor_flags INTERFACE)
+target_compile_features(scanchor_flags INTERFACE cxx_std_20)
+# No contraction into fused multiply-add: the same bytes on every machine.
+target_compile_options(scanchor_flags INTERFACE -ffp-contract=off)
+add_library(scanchor_warnings INTERFACE)
+target_compile_options(scanchor_warnings INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wcast-align
+                       $<$<BOOL:${SCANCHOR_WARNINGS_AS_ERRORS}>:-Werror>)
+if(SCANCHOR_SANITIZE)
+  target_compile_options(scanchor_flags INTERFACE -fsanitize=${SCANCHOR_SANITIZE} -fno-omit-frame-pointer
+                         -fno-sanitize-recover=all)
+  target_link_options(scanchor_flags INTERFACE -fsanitize=${SCANCHOR_SANITIZE})
+endif()
+set_property(GLOBAL PROPERTY SCANCHOR_ROOMS "")
+
+function(scanchor_room name)
+  cmake_parse_arguments(ROOM "" "" "USES;LINKS" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.hpp)
+  if(name STREQUAL "results")
+    # The context is a file, not an #ifdef: gl_context_{osmesa,egl,none}.cpp, of which one is built.
+    list(FILTER sources EXCLUDE REGEX "gl_context_(osmesa|egl|none)\\.cpp$")
+    if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/results/gl_context_${SCANCHOR_GL_CONTEXT}.cpp)
+      list(APPEND sources ${CMAKE_CURRENT_SOURCE_DIR}/results/gl_context_${SCANCHOR_GL_CONTEXT}.cpp)
+    endif()
+  endif()
+  if(NOT sources)
+    file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/${name}_empty.cpp "")
+    set(sources ${CMAKE_CURRENT_BINARY_DIR}/${name}_empty.cpp)
+  endif()
+  add_library(scanchor_${name} STATIC ${sources})
+  add_library(scanchor::${name} ALIAS scanchor_${name})
+  set_target_properties(scanchor_${name} PROPERTIES EXPORT_NAME ${name})
+  target_include_directories(scanchor_${name} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/scanchor>)
+  list(TRANSFORM ROOM_USES PREPEND scanchor_)
+  target_link_libraries(scanchor_${name} PUBLIC ${ROOM_USES} Eigen3::Eigen)
+  target_link_libraries(scanchor_${name} PRIVATE
+    ${ROOM_LINKS} nlohmann_json::nlohmann_json fmt::fmt Threads::Threads $<BUILD_INTERFACE:scanchor_warnings>)
+  target_link_libraries(scanchor_${name} PUBLIC $<BUILD_INTERFACE:scanchor_flags>)
+  set_property(GLOBAL APPEND PROPERTY SCANCHOR_ROOMS ${name})
+endfunction()
+
+function(scanchor_command folder)
+  cmake_parse_arguments(ROOM "" "" "USES;LINKS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(scanchor ${sources})
+  target_include_directories(scanchor PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+  list(TRANSFORM ROOM_USES PREPEND scanchor_)
+  target_link_libraries(scanchor PRIVATE ${ROOM_USES} ${ROOM_LINKS} nlohmann_json::nlohmann_json fmt::fmt
+                        scanchor_warnings)
+  set_target_properties(scanchor PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+endfunction()

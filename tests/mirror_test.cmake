@@ -1,0 +1,16 @@
+# Tests mirror the tree: every source of a room has tests/<room>/<same name>_test.cpp.
+set(missing "")
+foreach(room core cloud scenes sim sensors perception reasoning eval results)
+  file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/${room}/*.cpp)
+  foreach(file IN LISTS files)
+    # gl_context_osmesa.cpp, _egl.cpp and _none.cpp are one thing with three builds.
+    string(REGEX REPLACE "(gl_context)_[a-z]+\\.cpp$" "\\1.cpp" test ${file})
+    string(REGEX REPLACE "\\.cpp$" "_test.cpp" test ${test})
+    if(NOT EXISTS ${SOURCE}/tests/${test})
+      string(APPEND missing "\n  ${file} wants tests/${test}")
+    endif()
+  endforeach()
+endforeach()
+if(missing)
+  message(FATAL_ERROR "mirror:${missing}")
+endif()
