@@ -40,6 +40,7 @@ function(scanchor_room name)
   target_link_libraries(scanchor_${name} PRIVATE
     ${ROOM_LINKS} nlohmann_json::nlohmann_json fmt::fmt Threads::Threads $<BUILD_INTERFACE:scanchor_warnings>)
   target_link_libraries(scanchor_${name} PUBLIC $<BUILD_INTERFACE:scanchor_flags>)
+  target_compile_features(scanchor_${name} PUBLIC cxx_std_20)
   set_property(GLOBAL APPEND PROPERTY SCANCHOR_ROOMS ${name})
 endfunction()
 
