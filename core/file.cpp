@@ -3,11 +3,11 @@
 #include <openssl/evp.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <sstream>
 #include <system_error>
 
 #include "core/error.hpp"
@@ -32,10 +32,21 @@ std::string read_file(const fs::path& path) {
   errno = 0;
   std::ifstream in(path, std::ios::binary);
   if (!in) fail_data(path.string(), "", "cannot be opened: " + reason());
-  std::ostringstream content;
-  content << in.rdbuf();
+  // One read where the size is known; what has none (a pipe, /proc) comes in pieces.
+  std::string content;
+  const auto size = fs::file_size(path, ignored);
+  std::size_t filled = 0;
+  content.resize(ignored ? 0 : static_cast<std::size_t>(size));
+  in.read(content.data(), static_cast<std::streamsize>(content.size()));
+  filled = static_cast<std::size_t>(in.gcount());
+  while (in) {
+    content.resize(std::max<std::size_t>(2 * content.size(), filled + 65536));
+    in.read(content.data() + filled, static_cast<std::streamsize>(content.size() - filled));
+    filled += static_cast<std::size_t>(in.gcount());
+  }
   if (in.bad()) fail_data(path.string(), "", "cannot be read: " + reason());
-  return std::move(content).str();
+  content.resize(filled);
+  return content;
 }
 
 void write_file(const fs::path& path, const std::function<void(std::ostream&)>& writer) {

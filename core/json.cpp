@@ -3,12 +3,23 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
 
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/text.hpp"
 
 namespace scanchor {
+namespace {
+
+/// The value as text, cut to what fits on a line of an error.
+std::string brief(const Json& json) {
+  std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
+  if (text.size() > 60) text = text.substr(0, 57) + "...";
+  return text;
+}
+
+}  // namespace
 
 Json read_json(const std::filesystem::path& path) {
   const std::string content = read_file(path);
@@ -28,11 +39,14 @@ Json read_json(const std::filesystem::path& path) {
     }
     fail_data(path.string(), fmt::format("line {}, column {}", line, column),
               end >= content.size() ? "JSON ends too early" : "is no valid JSON here");
+  } catch (const nlohmann::json::out_of_range&) {
+    fail_data(path.string(), "", "holds a number that is too large");
   }
 }
 
 void write_json(const std::filesystem::path& path, const Json& json) {
-  write_file(path, json.dump(2) + "\n");
+  // Names of files need not be UTF-8; a replacement character beats an exception.
+  write_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 JsonReader::JsonReader(const Json& json, std::string file, std::string place)
@@ -69,7 +83,7 @@ std::vector<std::string> JsonReader::keys() const {
 }
 
 double JsonReader::number() const {
-  if (!json_->is_number()) fail(fmt::format("must be a number, is {}", json_->dump()));
+  if (!json_->is_number()) fail(fmt::format("must be a number, is {}", brief(*json_)));
   const auto value = json_->get<double>();
   if (!std::isfinite(value)) fail("must be a finite number");
   return value;
@@ -84,17 +98,23 @@ double JsonReader::number_in(double minimum, double maximum) const {
 }
 
 std::int64_t JsonReader::integer() const {
-  if (!json_->is_number_integer()) fail(fmt::format("must be a whole number, is {}", json_->dump()));
+  if (!json_->is_number_integer()) fail(fmt::format("must be a whole number, is {}", brief(*json_)));
+  if (json_->is_number_unsigned() && json_->get<std::uint64_t>() > std::uint64_t{INT64_MAX}) fail("is too large");
   return json_->get<std::int64_t>();
 }
 
+std::uint64_t JsonReader::natural() const {
+  if (!json_->is_number_unsigned()) fail(fmt::format("must be a whole number from 0, is {}", brief(*json_)));
+  return json_->get<std::uint64_t>();
+}
+
 bool JsonReader::boolean() const {
-  if (!json_->is_boolean()) fail(fmt::format("must be true or false, is {}", json_->dump()));
+  if (!json_->is_boolean()) fail(fmt::format("must be true or false, is {}", brief(*json_)));
   return json_->get<bool>();
 }
 
 std::string JsonReader::text() const {
-  if (!json_->is_string()) fail(fmt::format("must be a text, is {}", json_->dump()));
+  if (!json_->is_string()) fail(fmt::format("must be a text, is {}", brief(*json_)));
   return json_->get<std::string>();
 }
 

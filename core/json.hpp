@@ -30,6 +30,7 @@ class JsonReader {
   [[nodiscard]] double number() const;  ///< finite; error otherwise
   [[nodiscard]] double number_in(double minimum, double maximum) const;
   [[nodiscard]] std::int64_t integer() const;
+  [[nodiscard]] std::uint64_t natural() const;  ///< whole number from 0 to 2^64 - 1: a seed
   [[nodiscard]] bool boolean() const;
   [[nodiscard]] std::string text() const;
   [[nodiscard]] Eigen::Vector3d vector3() const;
