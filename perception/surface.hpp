@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace scanchor {
@@ -24,9 +25,13 @@ struct Plane {
 /// A ring of a polygon, simple, not repeating the first vertex. Outer rings run counter-clockwise, holes clockwise, seen against the
 /// normal. Coordinates in the surface's own frame (`T_cloud_surface`), metres.
 using Ring = std::vector<Eigen::Vector2d>;
+/// [m2] signed: positive counter-clockwise, negative clockwise.
+double ring_area(const Ring& ring);
 
 /// What lies beyond a piece of the outline.
 enum class EdgeKind : std::uint8_t { true_edge, occlusion, view_limit, unknown };
+/// "true_edge", "occlusion", "view_limit", "unknown".
+std::string_view edge_kind_name(EdgeKind kind);
 
 struct Polygon {
   Ring outer;
@@ -55,11 +60,13 @@ struct Surface {
   std::int32_t id = 0;                       ///< its index in Surfaces::surfaces
   Plane plane;
   Eigen::Isometry3d T_cloud_surface = Eigen::Isometry3d::Identity();
-  std::vector<std::uint32_t> inliers;        ///< indices of points, rising
+  std::vector<std::uint32_t> inliers;        ///< indices of points, rising; empty if read from a file that left them out
+  std::size_t inlier_count = 0;              ///< their number, also where the list itself was left out
   std::vector<Polygon> polygons;             ///< pieces, largest first; at least one for three points that are not on a line
   FittedRectangle rectangle;
   Measured area;                             ///< [m2] A of the paper: of the polygons
-  double rectangularness = 0.0;              ///< R in [0, 1]: area of the polygons / area of the fitted rectangle
+  double rectangularness = 0.0;              ///< R in [0, 1]: area of the polygons / area of the fitted rectangle, of which
+                                             ///< the default method leaves out what lies in a shadow
   bool is_rectangle = false;                 ///< the paper's binary decision: four lines meeting at about 90 degrees
   double eccentricity = 0.0;                 ///< [0, 1) of the inliers' ellipse
   double occluded_outline = 0.0;             ///< [0, 1] share of the outline that borders a shadow or the end of the view
