@@ -1,0 +1,116 @@
+#include "perception/noise.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scanchor {
+namespace {
+
+struct Weighted {
+  double value, weight;
+};
+
+double weighted_quantile(std::vector<Weighted>& values, double share) {
+  std::sort(values.begin(), values.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+  double total = 0.0;
+  for (const auto& v : values) total += v.weight;
+  double sum = 0.0;
+  for (const auto& v : values) {
+    sum += v.weight;
+    if (sum >= share * total) return v.value;
+  }
+  return values.back().value;
+}
+
+// Squared distance from point i to its nearest neighbour: a bound from the neighbours along the Morton curve, then all cells
+// that the ball of that radius touches.
+float nearest2(const CanonicalCloud& cloud, std::size_t i) {
+  const Eigen::Vector3f p = cloud.point(i);
+  float best = 3e38F;
+  const std::size_t from = i < 4 ? 0 : i - 4, to = std::min(cloud.size(), i + 5);
+  for (std::size_t j = from; j < to; ++j) {
+    if (j != i) best = std::min(best, (cloud.point(j) - p).squaredNorm());
+  }
+  const float radius = std::sqrt(best);
+  int level = CanonicalCloud::levels;
+  while (level > 0 && cloud.cell_side(level) < radius) --level;
+  const int shift = 3 * (CanonicalCloud::levels - level);
+  const float inverse = 1.0F / cloud.cell_side(level);
+  const float last = static_cast<float>(1U << level) - 1.0F;
+  Eigen::Vector3i low, high;
+  for (int axis = 0; axis < 3; ++axis) {
+    low[axis] = static_cast<int>(std::clamp((p[axis] - radius - cloud.low[axis]) * inverse, 0.0F, last));
+    high[axis] = static_cast<int>(std::clamp((p[axis] + radius - cloud.low[axis]) * inverse, 0.0F, last));
+  }
+  for (int cx = low.x(); cx <= high.x(); ++cx) {
+    for (int cy = low.y(); cy <= high.y(); ++cy) {
+      for (int cz = low.z(); cz <= high.z(); ++cz) {
+        const std::uint64_t prefix = spread_bits(static_cast<std::uint64_t>(cx)) << 2 |
+                                     spread_bits(static_cast<std::uint64_t>(cy)) << 1 |
+                                     spread_bits(static_cast<std::uint64_t>(cz));
+        auto at = std::lower_bound(cloud.code.begin(), cloud.code.end(), prefix << shift);
+        for (; at != cloud.code.end() && *at >> shift == prefix; ++at) {
+          const auto j = static_cast<std::size_t>(at - cloud.code.begin());
+          if (j != i) best = std::min(best, (cloud.point(j) - p).squaredNorm());
+        }
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+double median_spacing(const CanonicalCloud& cloud) {
+  const std::size_t n = cloud.size();
+  if (n < 2) return 0.0;
+  const std::size_t count = std::min<std::size_t>(n, 1024);
+  std::vector<float> spacing(count);
+  for (std::size_t k = 0; k < count; ++k) spacing[k] = nearest2(cloud, k * n / count);
+  std::nth_element(spacing.begin(), spacing.begin() + count / 2, spacing.end());
+  return std::sqrt(static_cast<double>(spacing[count / 2]));
+}
+
+double least_noise(const CanonicalCloud& cloud, double spacing) {
+  return std::max({static_cast<double>(cloud.side) * 0x1p-22, 0.02 * spacing, 1e-9});
+}
+
+double estimate_noise(const CanonicalCloud& cloud, const CellTree& tree, double spacing,
+                      const std::vector<Eigen::Vector3d>& sensors) {
+  constexpr std::uint32_t fewest = 12;
+  constexpr double flat = 9.0;     // least ratio of the second to the first variance of a surface
+  constexpr double growth = 1.35;  // most growth of the variance from the parts to the whole
+  std::vector<Weighted> seen;
+  const Eigen::Isometry3d to_canonical = cloud.T_cloud_canonical.inverse();
+  const std::size_t stride = 1 + tree.cells.size() / 40000;  // a sample is enough
+  for (std::size_t i = 0; i < tree.cells.size(); i += stride) {
+    const Cell& cell = tree.cells[i];
+    if (cell.size() < 2 * fewest || cell.children == 0 || cell.size() > 4096) continue;
+    double squares = 0.0, freedom = 0.0, covered = 0.0;
+    for (std::uint32_t c = 0; c < cell.children; ++c) {
+      const Moments& part = tree.moments[cell.child + c];
+      if (part.n < fewest) continue;
+      const MomentPlane plane = fit_plane_fast(part);
+      squares += part.n * plane.variances[0];
+      freedom += part.n - 3.0;
+      covered += part.n;
+    }
+    if (covered < 0.7 * cell.size()) continue;
+    const MomentPlane whole = fit_plane_fast(tree.moments[i]);
+    const double variance = whole.variances[0] * cell.size() / (cell.size() - 3.0);
+    const double floor2 = least_noise(cloud, spacing) * least_noise(cloud, spacing);
+    if (whole.variances[1] < flat * variance || variance > growth * std::max(squares / freedom, floor2)) continue;
+    double cosine = 1.0;
+    if (sensors.size() == 1) {
+      const Eigen::Vector3d beam = tree.moments[i].mean() - to_canonical * sensors[0];
+      cosine = std::abs(beam.normalized().dot(whole.normal));
+      if (cosine < 0.3) continue;
+    }
+    seen.push_back({std::sqrt(variance) / cosine, static_cast<double>(cell.size())});
+  }
+  const double least = least_noise(cloud, spacing);
+  if (seen.empty()) return std::max(0.25 * spacing, least);
+  return std::max(weighted_quantile(seen, sensors.size() == 1 ? 0.5 : 0.75), least);
+}
+
+}  // namespace scanchor
