@@ -33,6 +33,7 @@ CellTree cell_tree(const CanonicalCloud& cloud, std::uint32_t largest) {
       child.level = static_cast<std::uint8_t>(level);
       tree.cells.push_back(child);
       ++tree.cells[i].children;
+      tree.cells[i].octants |= static_cast<std::uint8_t>(1U << (prefix & 7U));
       begin = end;
     }
   }
@@ -49,19 +50,33 @@ CellTree cell_tree(const CanonicalCloud& cloud, std::uint32_t largest) {
   return tree;
 }
 
-std::int64_t CellTree::find(const CanonicalCloud& cloud, std::uint64_t code, int level) const {
-  std::int64_t at = 0;
-  for (;;) {
-    const Cell& cell = cells[static_cast<std::size_t>(at)];
-    if (cell.children == 0 || cell.level >= level) return at;
-    const int shift = shift_of(cell.level + 1);
-    std::int64_t next = -1;
-    for (std::uint32_t c = 0; c < cell.children; ++c) {
-      if (cloud.code[cells[cell.child + c].begin] >> shift == code >> shift) next = cell.child + c;
-    }
-    if (next < 0) return -1;
-    at = next;
+int CellTree::neighbour_codes(const CanonicalCloud& cloud, std::uint32_t at,
+                              std::array<std::uint64_t, 26>& codes) const {
+  constexpr std::uint64_t axis_bits = 0x249249249249ULL;  // every third bit: z; shifted by one: y; by two: x
+  const int shift = shift_of(cells[at].level);
+  const std::uint64_t corner = cloud.code[cells[at].begin] >> shift << shift;
+  const std::uint64_t one = std::uint64_t{1} << shift;
+  std::array<std::array<std::uint64_t, 3>, 3> along;  // per axis: here, one up, one down
+  std::array<std::array<bool, 3>, 3> there;
+  for (int axis = 0; axis < 3; ++axis) {
+    // Adding with the other axes' bits set carries across them; subtracting with them clear borrows.
+    const std::uint64_t mask = axis_bits << axis, others = ~mask;
+    const std::uint64_t here = corner & mask;
+    const std::uint64_t up = ((here | others) + (one << axis)) & mask;
+    const std::uint64_t down = (here - (one << axis)) & mask;
+    along[axis] = {here, up, down};
+    there[axis] = {true, up > here, here != 0};
   }
+  int count = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      for (int k = 0; k < 3; ++k) {
+        if ((i | j | k) == 0 || !there[2][i] || !there[1][j] || !there[0][k]) continue;
+        codes[static_cast<std::size_t>(count++)] = along[2][i] | along[1][j] | along[0][k];
+      }
+    }
+  }
+  return count;
 }
 
 }  // namespace scanchor

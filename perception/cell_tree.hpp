@@ -3,6 +3,7 @@
 // range of them, and a parent is the sum of its children.
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct Cell {
   std::uint32_t begin, end;        ///< points
   std::uint32_t child = 0;         ///< index of the first child; 0: none (the root is nobody's child)
   std::uint8_t children = 0;       ///< children lie next to each other, in Morton order; empty ones are left out
+  std::uint8_t octants = 0;        ///< bit i: there is a child with Morton digit i
   std::uint8_t level = 0;          ///< 0: root
   [[nodiscard]] std::uint32_t size() const { return end - begin; }
 };
@@ -23,8 +25,23 @@ struct CellTree {
   std::vector<Cell> cells;         ///< parents before children
   std::vector<Moments> moments;    ///< one a cell, about the cloud's canonical origin
 
-  /// The deepest cell at or above `level` that contains the place with this code, or -1 where there are no points.
-  [[nodiscard]] std::int64_t find(const CanonicalCloud& cloud, std::uint64_t code, int level) const;
+  /// Walks from the root to the cell that contains the place with this code: ends at `level`, at a cell without children, or at
+  /// the first for which `stop` is true. `none` where there are no points.
+  template <class Stop>
+  [[nodiscard]] std::uint32_t find(std::uint64_t code, int level, const Stop& stop) const {
+    std::uint32_t at = 0;
+    for (;;) {
+      const Cell& cell = cells[at];
+      if (cell.children == 0 || cell.level >= level || stop(at)) return at;
+      const auto octant = static_cast<unsigned>(code >> (3 * (CanonicalCloud::levels - 1 - cell.level))) & 7U;
+      if (!(cell.octants >> octant & 1U)) return none;
+      at = cell.child + static_cast<std::uint32_t>(std::popcount(cell.octants & ((1U << octant) - 1U)));
+    }
+  }
+  static constexpr std::uint32_t none = 0xFFFFFFFF;
+
+  /// Codes of the up to 26 places one cell's side away from cell `at`, in all directions; returns their number.
+  int neighbour_codes(const CanonicalCloud& cloud, std::uint32_t at, std::array<std::uint64_t, 26>& codes) const;
 };
 
 /// Splits cells of more than `largest` points. Time and memory O(n).

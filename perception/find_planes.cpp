@@ -3,11 +3,13 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "perception/cell_planes.hpp"
 #include "perception/cell_tree.hpp"
 #include "perception/noise.hpp"
 #include "perception/paper_planes.hpp"
 #include "perception/plane_fit.hpp"
 #include "perception/set_aside.hpp"
+#include "perception/thin_planes.hpp"
 
 namespace scanchor {
 
@@ -68,8 +70,14 @@ Surfaces find_planes(const PointCloud& cloud, const PerceiveOptions& options) {
   surfaces.noise_sigma = options.noise_sigma > 0.0 ? options.noise_sigma : input.sigma;
   surfaces.point_spacing = input.spacing;
 
-  const auto region_of = paper_planes(input.cloud, input.sigma, PaperOptions{});
-  collect_surfaces(cloud, input, region_of, surfaces);
+  if (options.method == "paper") {
+    collect_surfaces(cloud, input, paper_planes(input.cloud, input.sigma, PaperOptions{}), surfaces);
+    return surfaces;
+  }
+  std::vector<std::int32_t> region_of_cell;
+  PlaneLabels labels = cell_planes(input.cloud, tree, input.sigma, region_of_cell);
+  thin_planes(input.cloud, tree, input.sigma, region_of_cell, labels);
+  collect_surfaces(cloud, input, labels.of_point, surfaces);
   return surfaces;
 }
 

@@ -1,0 +1,207 @@
+#include "perception/cell_planes.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "perception/chi_square.hpp"
+
+namespace scanchor {
+namespace {
+
+// A real wall is not a mathematical plane and a noise estimate is not exact: a fifth more scatter than noise still counts as flat.
+constexpr double slack = 1.2 * 1.2;
+constexpr double z_flat = 3.09;  // one flat cell in a thousand is turned away and then looked at point by point
+
+struct FlatCell {
+  std::uint32_t cell;
+  MomentPlane plane;
+};
+
+// Flat within the noise, and broad enough in both directions that its normal means something: known to 0.1 rad (one sigma) and
+// at least 2.5 sigma in standard deviation, so that noise cannot pass for width.
+bool is_flat(const Moments& moments, double sigma, MomentPlane& plane) {
+  constexpr double fewest = 6.0, breadth = 6.25, tilt = 0.1;
+  if (moments.n < fewest) return false;
+  plane = fit_plane_fast(moments);
+  const double sigma2 = sigma * sigma, freedom = moments.n - 3.0;
+  return plane.variances[0] * moments.n <= slack * sigma2 * freedom * chi_square_factor(freedom, z_flat) &&
+         plane.variances[1] >= breadth * sigma2 &&
+         plane.variances[1] >= breadth * plane.variances[0] &&
+         sigma2 <= tilt * tilt * moments.n * plane.variances[1];
+}
+
+// The largest flat cells, from the root down.
+std::vector<FlatCell> flat_cells(const CellTree& tree, double sigma, std::vector<std::int32_t>& flat_of_cell) {
+  std::vector<FlatCell> flat;
+  std::vector<bool> open(tree.cells.size(), false);
+  open[0] = true;
+  flat_of_cell.assign(tree.cells.size(), -1);
+  for (std::uint32_t i = 0; i < tree.cells.size(); ++i) {  // parents come before children
+    if (!open[i]) continue;
+    FlatCell candidate{i, {}};
+    if (is_flat(tree.moments[i], sigma, candidate.plane)) {
+      flat_of_cell[i] = static_cast<std::int32_t>(flat.size());
+      flat.push_back(candidate);
+      continue;
+    }
+    const Cell& cell = tree.cells[i];
+    for (std::uint32_t c = 0; c < cell.children; ++c) open[cell.child + c] = true;
+  }
+  return flat;
+}
+
+// Pairs of flat cells that touch, found from the smaller (or equal) one.
+struct Links {
+  std::vector<std::uint32_t> start, to;
+};
+
+Links link(const CanonicalCloud& cloud, const CellTree& tree, const std::vector<FlatCell>& flat,
+           const std::vector<std::int32_t>& flat_of_cell) {
+  std::vector<std::uint64_t> pairs;
+  std::array<std::uint64_t, 26> codes;
+  const auto is_flat_cell = [&](std::uint32_t at) { return flat_of_cell[at] >= 0; };
+  for (std::uint32_t f = 0; f < flat.size(); ++f) {
+    const int level = tree.cells[flat[f].cell].level;
+    const int count = tree.neighbour_codes(cloud, flat[f].cell, codes);
+    std::int32_t last = -1;
+    for (int k = 0; k < count; ++k) {
+      const auto at = tree.find(codes[static_cast<std::size_t>(k)], level, is_flat_cell);
+      if (at == CellTree::none || flat_of_cell[at] < 0 || flat_of_cell[at] == last) continue;
+      last = flat_of_cell[at];
+      const auto g = static_cast<std::uint32_t>(last);
+      pairs.push_back(std::uint64_t{f} << 32 | g);
+      pairs.push_back(std::uint64_t{g} << 32 | f);
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  Links links;
+  links.start.assign(flat.size() + 1, 0);
+  for (const auto pair : pairs) {
+    ++links.start[(pair >> 32) + 1];
+    links.to.push_back(static_cast<std::uint32_t>(pair));
+  }
+  std::partial_sum(links.start.begin(), links.start.end(), links.start.begin());
+  return links;
+}
+
+// Does a cell continue the plane of a region? Its mean square distance must be noise, where the plane itself is uncertain by
+// sigma^2/n (1 + u^2/l1 + v^2/l2) so far out.
+bool continues(const GrownPlane& region, const Moments& cell, double sigma) {
+  const double n = region.moments.n, sigma2 = sigma * sigma;
+  const Eigen::Vector3d out = cell.mean() - region.moments.mean();
+  const double u = region.plane.axes.col(1).dot(out), v = region.plane.axes.col(2).dot(out);
+  const double leverage = (1.0 + u * u / std::max(region.plane.variances[1], 1e-30) +
+                           v * v / std::max(region.plane.variances[2], 1e-30)) / n;
+  return region.plane.mean_square(cell) <=
+         slack * sigma2 * (chi_square_factor(cell.n, z_flat) + 4.0 * std::min(leverage, 1.0));
+}
+
+// Are two regions one plane? The squares may grow by what three freed parameters take up (chi-square, 0.1 %) and by a tenth of
+// the smaller region's noise.
+bool same_plane(const GrownPlane& a, const GrownPlane& b, double sigma) {
+  Moments both = a.moments;
+  both.add(b.moments);
+  const double squares = both.n * fit_plane_fast(both).variances[0];
+  const double apart = a.moments.n * a.plane.variances[0] + b.moments.n * b.plane.variances[0];
+  return squares - apart <= sigma * sigma * (16.3 + 0.1 * std::min(a.moments.n, b.moments.n));
+}
+
+}  // namespace
+
+GrownPlane grown_plane(const Moments& moments, double sigma) {
+  GrownPlane grown;
+  grown.moments = moments;
+  grown.plane = fit_plane_fast(moments);
+  const double n = moments.n;
+  const double variance = n > 3.0 ? grown.plane.variances[0] * n / (n - 3.0) : sigma * sigma;
+  grown.sigma = std::clamp(std::sqrt(variance), 0.25 * sigma, 1.2 * sigma);
+  return grown;
+}
+
+PlaneLabels cell_planes(const CanonicalCloud& cloud, const CellTree& tree, double sigma,
+                        std::vector<std::int32_t>& region_of_cell) {
+  PlaneLabels labels;
+  labels.of_point.assign(cloud.size(), -1);
+  region_of_cell.assign(tree.cells.size(), -1);
+  if (tree.cells.empty()) return labels;
+  std::vector<std::int32_t> flat_of_cell;
+  const auto flat = flat_cells(tree, sigma, flat_of_cell);
+  const Links links = link(cloud, tree, flat, flat_of_cell);
+
+  std::vector<std::uint32_t> order(flat.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return tree.moments[flat[a].cell].n > tree.moments[flat[b].cell].n;
+  });
+  std::vector<std::int32_t> region(flat.size(), -1);
+  std::vector<std::uint32_t> queue;
+  std::vector<GrownPlane> planes;
+  for (const auto seed : order) {
+    if (region[seed] >= 0) continue;
+    const auto id = static_cast<std::int32_t>(planes.size());
+    GrownPlane grown = grown_plane(tree.moments[flat[seed].cell], sigma);
+    double fitted = grown.moments.n;
+    region[seed] = id;
+    queue.assign(1, seed);
+    for (std::size_t head = 0; head < queue.size(); ++head) {
+      for (auto k = links.start[queue[head]]; k < links.start[queue[head] + 1]; ++k) {
+        const auto next = links.to[k];
+        if (region[next] >= 0) continue;
+        const Moments& cell = tree.moments[flat[next].cell];
+        if (!continues(grown, cell, sigma)) continue;
+        region[next] = id;
+        queue.push_back(next);
+        grown.moments.add(cell);
+        if (grown.moments.n >= 1.25 * fitted) {
+          grown = grown_plane(grown.moments, sigma);
+          fitted = grown.moments.n;
+        }
+      }
+    }
+    planes.push_back(grown_plane(grown.moments, sigma));
+  }
+
+  // Join what grew from two seeds. The parent of a region is a smaller number: the larger seed.
+  std::vector<std::int32_t> parent(planes.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](std::int32_t r) {
+    while (parent[static_cast<std::size_t>(r)] != r) r = parent[static_cast<std::size_t>(r)];
+    return r;
+  };
+  for (std::uint32_t f = 0; f < flat.size(); ++f) {
+    for (auto k = links.start[f]; k < links.start[f + 1]; ++k) {
+      auto a = root(region[f]), b = root(region[links.to[k]]);
+      if (a == b) continue;
+      if (a > b) std::swap(a, b);
+      auto &pa = planes[static_cast<std::size_t>(a)], &pb = planes[static_cast<std::size_t>(b)];
+      if (!same_plane(pa, pb, sigma)) continue;
+      Moments both = pa.moments;
+      both.add(pb.moments);
+      pa = grown_plane(both, sigma);
+      parent[static_cast<std::size_t>(b)] = a;
+    }
+  }
+  std::vector<std::int32_t> number(planes.size(), -1);
+  for (std::size_t r = 0; r < planes.size(); ++r) {
+    if (parent[r] != static_cast<std::int32_t>(r)) continue;
+    number[r] = static_cast<std::int32_t>(labels.planes.size());
+    labels.planes.push_back(planes[r]);
+  }
+  for (std::uint32_t f = 0; f < flat.size(); ++f) {
+    const auto id = number[static_cast<std::size_t>(root(region[f]))];
+    region_of_cell[flat[f].cell] = id;
+    const GrownPlane& grown = labels.planes[static_cast<std::size_t>(id)];
+    const Eigen::Vector3f normal = grown.plane.normal.cast<float>();
+    const auto offset = static_cast<float>(grown.plane.offset);
+    const auto reach = static_cast<float>(3.0 * grown.sigma);
+    const Cell& cell = tree.cells[flat[f].cell];
+    for (auto p = cell.begin; p < cell.end; ++p) {
+      const float distance = normal.x() * cloud.x[p] + normal.y() * cloud.y[p] + normal.z() * cloud.z[p] - offset;
+      if (std::abs(distance) <= reach) labels.of_point[p] = id;
+    }
+  }
+  return labels;
+}
+
+}  // namespace scanchor
