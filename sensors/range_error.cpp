@@ -1,0 +1,74 @@
+#include "sensors/range_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math.hpp"
+#include "core/random.hpp"
+
+namespace scanchor {
+namespace {
+
+constexpr double speed_of_light = 299792458.0;  // [m/s], exact by definition
+
+double power(double base, double exponent) {
+  if (exponent == 1.0) return base;
+  if (exponent == 0.5) return std::sqrt(base);
+  return portable_exp(exponent * portable_log(base));
+}
+
+}  // namespace
+
+double range_noise_sigma(const LidarOptions& o, double range, double reflected, double cosine) {
+  const double base = std::max(o.range_sigma, o.range_slope * range + o.range_offset);
+  if (o.snr_sigma == 0.0 && o.spread_noise == 0.0) return base;
+  double variance = base * base;
+  if (o.snr_sigma > 0.0) {
+    const double ratio = range / o.snr_range;
+    const double weakness = ratio * ratio * o.snr_reflectance / std::max(reflected, 1e-9);
+    const double snr = o.snr_sigma * power(weakness, o.snr_exponent);
+    variance += snr * snr;
+  }
+  if (o.spread_noise > 0.0) {
+    const double diameter = o.aperture + o.divergence * range;
+    const double c = std::max(cosine, 1e-3);
+    const double spread = o.spread_noise * 0.25 * diameter * std::sqrt(1.0 - c * c) / c;
+    variance += spread * spread;
+  }
+  return std::sqrt(variance);
+}
+
+double wiggling(const LidarOptions& o, double range) {
+  if (o.wiggle == 0.0) return 0.0;
+  const double phase = 4.0 * pi * o.modulation_frequency * range / speed_of_light;
+  return o.wiggle * portable_sincos(4.0 * phase).sin;
+}
+
+double quantise(double range, double quantum) {
+  return quantum > 0.0 ? quantum * std::floor(range / quantum + 0.5) : range;
+}
+
+RangeError::RangeError(const LidarOptions& options, std::uint64_t seed)
+    : options_(options), noise_seed_(stream_seed(seed, "range noise")) {
+  if (options.drift_sigma > 0.0) {
+    drift_ = options.drift_sigma * CounterRandom(stream_seed(seed, "drift")).normal(0);
+  }
+}
+
+void RangeError::apply(int line, const LineReturns& returns, std::vector<double>& measured) const {
+  const CounterRandom noise(noise_seed_);
+  measured.resize(returns.size());
+  for (std::size_t k = 0; k < returns.size(); ++k) {
+    if (returns.triangle[k] == no_hit) continue;
+    const double range = returns.range[k];
+    const double sigma =
+        range_noise_sigma(options_, range, returns.reflected[k], returns.cosine[k]);
+    double value = range + drift_ + wiggling(options_, range);
+    if (sigma > 0.0) {
+      value += sigma * noise.normal(static_cast<std::uint64_t>(line), static_cast<std::uint32_t>(k));
+    }
+    measured[k] = quantise(value, options_.range_quantum);
+  }
+}
+
+}  // namespace scanchor

@@ -1,0 +1,276 @@
+#include "sensors/tilting_lidar.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math.hpp"
+#include "core/parallel.hpp"
+#include "sensors/kinematics.hpp"
+#include "sensors/line_returns.hpp"
+#include "sensors/range_error.hpp"
+
+namespace scanchor {
+namespace {
+
+/// Angle from its cosine in [0, 1] to 3e-8 rad: more than the float that keeps it. Portable: no libm.
+/// Abramowitz & Stegun 4.4.46.
+double angle_of_cosine(double c) {
+  static constexpr double a[] = {1.5707963050,  -0.2145988016, 0.0889789874,  -0.0501743046,
+                                 0.0308918810, -0.0170881256, 0.0066700901, -0.0012624911};
+  double sum = a[7];
+  for (int i = 6; i >= 0; --i) sum = sum * c + a[i];
+  return std::sqrt(1.0 - c) * sum;
+}
+
+/// Area of faces that beams reached, in runs of beams on one face.
+struct FaceRun {
+  std::int32_t face;
+  double area;
+};
+
+/// What one line needs while it is worked on.
+struct LineWork {
+  BeamColumns beams;     // sensor frame at the start
+  BeamColumns world;     // the same beams in the world
+  BeamColumns believed;  // where the driver puts the points
+  LineReturns returns;
+  std::vector<double> measured;
+};
+
+class Sweep {
+ public:
+  Sweep(const World& world, const Eigen::Isometry3d& T_world_sensor, const LidarOptions& options,
+        std::uint64_t seed, Scan& scan)
+      : world_(world),
+        T_world_sensor_(T_world_sensor),
+        options_(options),
+        kinematics_(options, seed),
+        range_error_(options, seed),
+        scan_(scan),
+        kept_(static_cast<std::size_t>(options.lines), 0),
+        reached_(static_cast<std::size_t>(options.lines)) {}
+
+  void run();
+
+ private:
+  void measure_line(int line, LineWork& work);
+  void to_world(LineWork& work) const;
+  void meet_surfaces(LineWork& work) const;
+  void keep_points(int line, const LineWork& work);
+  void close_gaps();
+  void sum_visibility();
+
+  const World& world_;
+  const Eigen::Isometry3d T_world_sensor_;
+  const LidarOptions& options_;
+  const Kinematics kinematics_;
+  const RangeError range_error_;
+  Scan& scan_;
+  std::vector<float>* intensity_ = nullptr;
+  std::vector<std::size_t> kept_;              // points of each line
+  std::vector<std::vector<FaceRun>> reached_;  // of each line
+};
+
+void Sweep::run() {
+  const auto beams = static_cast<std::size_t>(options_.beams_per_line);
+  const auto lines = static_cast<std::size_t>(options_.lines);
+  const std::size_t fired = beams * lines;
+  // All columns at full length first: every line has its own place and lines need not wait for each other.
+  scan_.cloud.points.resize(fired);
+  if (scan_.cloud.fields.size() != 1 || scan_.cloud.fields[0].name != "intensity" ||
+      !std::holds_alternative<std::vector<float>>(scan_.cloud.fields[0].values)) {
+    scan_.cloud.fields = {{"intensity", std::vector<float>()}};
+  }
+  intensity_ = &std::get<std::vector<float>>(scan_.cloud.fields[0].values);
+  intensity_->resize(fired);
+  scan_.cloud.width = 0;
+  scan_.cloud.height = 0;
+  scan_.cloud.sensor_poses = {Eigen::Isometry3d::Identity()};
+  scan_.truth.resize(fired);
+  scan_.line.resize(fired);
+  scan_.beam.resize(fired);
+  scan_.beams_fired = fired;
+  scan_.T_world_sensor = T_world_sensor_;
+
+  parallel_blocks(lines, 8, [&](std::size_t begin, std::size_t end) {
+    LineWork work;
+    for (std::size_t line = begin; line < end; ++line) measure_line(static_cast<int>(line), work);
+  });
+  close_gaps();
+  sum_visibility();
+}
+
+void Sweep::measure_line(int line, LineWork& work) {
+  kinematics_.true_beams(line, work.beams);
+  to_world(work);
+  meet_surfaces(work);
+  range_error_.apply(line, work.returns, work.measured);
+  if (!kinematics_.believes_truth()) kinematics_.believed_beams(line, work.believed);
+  keep_points(line, work);
+}
+
+void Sweep::to_world(LineWork& work) const {
+  const auto count = static_cast<std::size_t>(options_.beams_per_line);
+  work.world.resize(count);
+  const Eigen::Matrix3d R = T_world_sensor_.linear();
+  const Eigen::Vector3d t = T_world_sensor_.translation();
+  const BeamColumns& b = work.beams;
+  BeamColumns& w = work.world;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double x = b.direction_x[k], y = b.direction_y[k], z = b.direction_z[k];
+    w.direction_x[k] = R(0, 0) * x + R(0, 1) * y + R(0, 2) * z;
+    w.direction_y[k] = R(1, 0) * x + R(1, 1) * y + R(1, 2) * z;
+    w.direction_z[k] = R(2, 0) * x + R(2, 1) * y + R(2, 2) * z;
+    const double ox = b.origin_x[k], oy = b.origin_y[k], oz = b.origin_z[k];
+    w.origin_x[k] = R(0, 0) * ox + R(0, 1) * oy + R(0, 2) * oz + t.x();
+    w.origin_y[k] = R(1, 0) * ox + R(1, 1) * oy + R(1, 2) * oz + t.y();
+    w.origin_z[k] = R(2, 0) * ox + R(2, 1) * oy + R(2, 2) * oz + t.z();
+  }
+}
+
+void Sweep::meet_surfaces(LineWork& work) const {
+  const auto count = static_cast<std::size_t>(options_.beams_per_line);
+  LineReturns& r = work.returns;
+  r.resize(count);
+  const BeamColumns& w = work.world;
+  world_.trace({w.origin_x.data(), w.origin_y.data(), w.origin_z.data(), w.direction_x.data(),
+                w.direction_y.data(), w.direction_z.data(), count},
+               r.triangle.data(), r.range.data());
+  const auto& surfaces = world_.surfaces();
+  for (std::size_t k = 0; k < count; ++k) {
+    r.runner_up[k] = no_hit;
+    r.flags[k] = 0;
+    if (r.triangle[k] == no_hit) continue;
+    const SurfaceRecord& s = surfaces[r.triangle[k]];
+    const double slope = s.plane.normal.x() * w.direction_x[k] +
+                         s.plane.normal.y() * w.direction_y[k] +
+                         s.plane.normal.z() * w.direction_z[k];
+    r.cosine[k] = std::min(std::fabs(slope), 1.0);
+    r.reflected[k] = s.reflectance * r.cosine[k];
+    r.true_range[k] = r.range[k];
+  }
+}
+
+void Sweep::keep_points(int line, const LineWork& work) {
+  const auto count = static_cast<std::size_t>(options_.beams_per_line);
+  const LineReturns& r = work.returns;
+  const BeamColumns& b = kinematics_.believes_truth() ? work.beams : work.believed;
+  const auto& surfaces = world_.surfaces();
+  const std::size_t base = static_cast<std::size_t>(line) * count;
+  std::size_t j = base;
+  auto& runs = reached_[static_cast<std::size_t>(line)];
+  for (std::size_t k = 0; k < count; ++k) {
+    const bool hit = r.triangle[k] != no_hit;
+    double range = hit ? work.measured[k] : options_.maximum_range;
+    PointTruth& truth = scan_.truth;
+    const bool in_range = hit && range >= options_.minimum_range && range <= options_.maximum_range;
+    if (hit && r.flags[k] == 0) {
+      const std::int32_t face = surfaces[r.triangle[k]].face;
+      const double patch = r.true_range[k] * r.true_range[k] *
+                           kinematics_.solid_angle(line, static_cast<int>(k)) /
+                           std::max(r.cosine[k], 0.01);
+      if (runs.empty() || runs.back().face != face) runs.push_back({face, 0.0});
+      runs.back().area += patch;
+    }
+    if (in_range) {
+      const SurfaceRecord& s = surfaces[r.triangle[k]];
+      truth.class_id[j] = s.class_id;
+      truth.instance[j] = s.instance_id;
+      truth.part[j] = s.part;
+      truth.face[j] = s.face;
+      truth.runner_up[j] = r.runner_up[k] == no_hit ? -1 : surfaces[r.runner_up[k]].instance_id;
+      truth.flags[j] = r.flags[k];
+      truth.true_range[j] = static_cast<float>(r.true_range[k]);
+      truth.incidence[j] = static_cast<float>(angle_of_cosine(r.cosine[k]));
+      (*intensity_)[j] = static_cast<float>(r.reflected[k]);
+    } else if (options_.report_maximum && (!hit || range > options_.maximum_range)) {
+      range = options_.maximum_range;
+      truth.class_id[j] = unlabelled;
+      truth.instance[j] = truth.part[j] = truth.face[j] = truth.runner_up[j] = -1;
+      truth.flags[j] = point_out_of_range;
+      truth.true_range[j] = 0.0F;
+      truth.incidence[j] = 0.0F;
+      (*intensity_)[j] = 0.0F;
+    } else {
+      continue;
+    }
+    scan_.cloud.points[j] = b.origin(k) + range * b.direction(k);
+    scan_.line[j] = line;
+    scan_.beam[j] = static_cast<std::int32_t>(k);
+    ++j;
+  }
+  kept_[static_cast<std::size_t>(line)] = j - base;
+}
+
+void Sweep::close_gaps() {
+  const auto beams = static_cast<std::size_t>(options_.beams_per_line);
+  std::size_t to = 0;
+  const auto move_all = [&](auto& column) {
+    std::size_t target = 0;
+    for (std::size_t line = 0; line < kept_.size(); ++line) {
+      const auto from = column.begin() + static_cast<std::ptrdiff_t>(line * beams);
+      if (target != line * beams) {
+        std::copy(from, from + static_cast<std::ptrdiff_t>(kept_[line]),
+                  column.begin() + static_cast<std::ptrdiff_t>(target));
+      }
+      target += kept_[line];
+    }
+    column.resize(target);
+  };
+  for (const std::size_t n : kept_) to += n;
+  if (to == kept_.size() * beams) return;
+  move_all(scan_.cloud.points);
+  move_all(*intensity_);
+  PointTruth& t = scan_.truth;
+  move_all(t.class_id);
+  move_all(t.instance);
+  move_all(t.part);
+  move_all(t.face);
+  move_all(t.runner_up);
+  move_all(t.flags);
+  move_all(t.true_range);
+  move_all(t.incidence);
+  move_all(scan_.line);
+  move_all(scan_.beam);
+}
+
+void Sweep::sum_visibility() {
+  const auto& faces = world_.faces();
+  std::vector<double> area(faces.size(), 0.0);
+  std::vector<std::int32_t> points(faces.size(), 0);
+  for (const auto& runs : reached_) {
+    for (const FaceRun& run : runs) area[static_cast<std::size_t>(run.face)] += run.area;
+  }
+  for (std::size_t i = 0; i < scan_.truth.size(); ++i) {
+    if (scan_.truth.face[i] >= 0) ++points[static_cast<std::size_t>(scan_.truth.face[i])];
+  }
+  scan_.visibility.clear();
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (points[f] == 0) continue;
+    const FaceAddress& a = faces[f];
+    const Face& face = world_.scene()
+                           .instances[static_cast<std::size_t>(a.instance)]
+                           .parts[static_cast<std::size_t>(a.part)]
+                           .faces[static_cast<std::size_t>(a.face)];
+    const double fraction = face.area > 0.0 ? std::min(1.0, area[f] / face.area) : 0.0;
+    scan_.visibility.push_back({static_cast<std::int32_t>(f), points[f], fraction});
+  }
+}
+
+}  // namespace
+
+void scan_room_into(const World& world, const Eigen::Isometry3d& T_world_sensor,
+                    const LidarOptions& options, std::uint64_t seed, Scan& scan) {
+  check_lidar_options(options);
+  scan.seed = seed;
+  Sweep(world, T_world_sensor, options, seed, scan).run();
+}
+
+Scan scan_room(const World& world, const Eigen::Isometry3d& T_world_sensor,
+               const LidarOptions& options, std::uint64_t seed) {
+  Scan scan;
+  scan_room_into(world, T_world_sensor, options, seed, scan);
+  return scan;
+}
+
+}  // namespace scanchor
