@@ -1,0 +1,441 @@
+#include "results/gl_draw.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <mutex>
+
+#include "core/error.hpp"
+#include "results/gl_functions.hpp"
+#include "results/gl_shaders.hpp"
+#include "results/triangulate.hpp"
+
+namespace scanchor {
+namespace {
+
+using gl::Uint;
+
+/// What goes to the GPU: position relative to the eye's target (float is exact enough there),
+/// normal, colour.
+struct MeshVertex {
+  std::array<float, 3> position, normal;
+  Color color;
+};
+struct PointVertex {
+  std::array<float, 3> position;
+  Color color;
+};
+struct LineVertex {
+  std::array<float, 4> clip;
+  Color color;
+};
+
+std::array<float, 3> to_float(const Eigen::Vector3d& v) {
+  return {float(v.x()), float(v.y()), float(v.z())};
+}
+
+class Renderer {
+ public:
+  Renderer() : context_(make_gl_context()) {
+    context_->make_current();
+    gl_ = gl::load_functions(*context_);
+    mesh_program_ = link(mesh_vertex_shader, mesh_fragment_shader);
+    point_program_ = link(point_vertex_shader, point_fragment_shader);
+    line_program_ = link(line_vertex_shader, line_fragment_shader);
+    gl_.GenVertexArrays(1, &array_);
+    gl_.GenBuffers(1, &vertices_);
+    gl_.GenBuffers(1, &indices_);
+    int samples = 0;
+    gl_.GetIntegerv(gl::max_samples, &samples);
+    most_samples_ = std::max(samples, 1);
+    context_->release();
+  }
+  // The process keeps its one renderer until it ends; drivers may be gone by the time static
+  // objects are destroyed.
+
+  Frame draw(const Drawing& drawing, const Projection& projection, int width, int height,
+             int samples, Color background) {
+    context_->make_current();
+    struct Release {
+      GlContext& context;
+      ~Release() { context.release(); }
+    } release{*context_};
+    origin_ = projection.eye() +
+              projection.forward() * (0.5 * (projection.near_plane() + projection.far_plane()));
+    prepare_targets(width, height, std::min(samples, most_samples_));
+    gl_.BindFramebuffer(gl::framebuffer, multi_.framebuffer);
+    gl_.Viewport(0, 0, width, height);
+    gl_.ClearColor(float(background.r) / 255.0F, float(background.g) / 255.0F,
+                   float(background.b) / 255.0F, 1.0F);
+    gl_.DepthMask(1);
+    gl_.Clear(gl::color_buffer_bit | gl::depth_buffer_bit);
+    gl_.Enable(gl::depth_test);
+    gl_.DepthFunc(gl::lequal);
+    gl_.Enable(gl::multisample);
+    gl_.Enable(gl::program_point_size);
+    gl_.BindVertexArray(array_);
+
+    draw_meshes(drawing, projection, false);
+    draw_points(drawing, projection, height);
+    draw_lines(drawing, projection, width, height);
+    draw_meshes(drawing, projection, true);
+    return read(projection, width, height);
+  }
+
+  std::string driver() {
+    context_->make_current();
+    const auto text = [&](gl::Enum name) {
+      return std::string(reinterpret_cast<const char*>(gl_.GetString(name)));
+    };
+    std::string result = text(gl::renderer_name) + ", " + text(gl::version_name);
+    context_->release();
+    return result;
+  }
+
+ private:
+  struct Target {
+    Uint framebuffer = 0, color = 0, depth = 0;
+  };
+
+  Uint shader(gl::Enum kind, const char* source) {
+    const Uint id = gl_.CreateShader(kind);
+    gl_.ShaderSource(id, 1, &source, nullptr);
+    gl_.CompileShader(id);
+    int good = 0;
+    gl_.GetShaderiv(id, gl::compile_status, &good);
+    if (good == 0) {
+      std::array<char, 1024> log{};
+      gl_.GetShaderInfoLog(id, int(log.size()), nullptr, log.data());
+      fail_data("", "", std::string("the OpenGL driver refused a shader: ") + log.data());
+    }
+    return id;
+  }
+
+  Uint link(const char* vertex, const char* fragment) {
+    const Uint program = gl_.CreateProgram();
+    for (const Uint id :
+         {shader(gl::vertex_shader, vertex), shader(gl::fragment_shader, fragment)}) {
+      gl_.AttachShader(program, id);
+      gl_.DeleteShader(id);
+    }
+    gl_.LinkProgram(program);
+    int good = 0;
+    gl_.GetProgramiv(program, gl::link_status, &good);
+    if (good == 0) fail_data("", "", "the OpenGL driver could not link a shader program");
+    return program;
+  }
+
+  Target make_target(int width, int height, int samples) {
+    Target target;
+    gl_.GenFramebuffers(1, &target.framebuffer);
+    gl_.GenRenderbuffers(1, &target.color);
+    gl_.GenRenderbuffers(1, &target.depth);
+    gl_.BindFramebuffer(gl::framebuffer, target.framebuffer);
+    gl_.BindRenderbuffer(gl::renderbuffer, target.color);
+    gl_.RenderbufferStorageMultisample(gl::renderbuffer, samples, gl::rgba8, width, height);
+    gl_.BindRenderbuffer(gl::renderbuffer, target.depth);
+    gl_.RenderbufferStorageMultisample(gl::renderbuffer, samples, gl::depth_component24, width,
+                                       height);
+    gl_.FramebufferRenderbuffer(gl::framebuffer, gl::color_attachment0, gl::renderbuffer,
+                                target.color);
+    gl_.FramebufferRenderbuffer(gl::framebuffer, gl::depth_attachment, gl::renderbuffer,
+                                target.depth);
+    if (gl_.CheckFramebufferStatus(gl::framebuffer) != gl::framebuffer_complete) {
+      fail_data("", "",
+                "the OpenGL driver has no framebuffer of " + std::to_string(width) + " x " +
+                    std::to_string(height) + " pixels with " + std::to_string(samples) + " samples",
+                "ask for a smaller picture");
+    }
+    return target;
+  }
+
+  void drop_target(Target& target) {
+    gl_.DeleteFramebuffers(1, &target.framebuffer);
+    gl_.DeleteRenderbuffers(1, &target.color);
+    gl_.DeleteRenderbuffers(1, &target.depth);
+    target = {};
+  }
+
+  void prepare_targets(int width, int height, int samples) {
+    if (width == width_ && height == height_ && samples == samples_) return;
+    drop_target(multi_);
+    drop_target(single_);
+    width_ = height_ = samples_ = 0;
+    multi_ = make_target(width, height, samples > 1 ? samples : 0);
+    single_ = make_target(width, height, 0);
+    width_ = width;
+    height_ = height;
+    samples_ = samples;
+  }
+
+  void upload(gl::Enum kind, Uint buffer, const void* data, std::size_t bytes) {
+    gl_.BindBuffer(kind, buffer);
+    gl_.BufferData(kind, std::ptrdiff_t(bytes), data, gl::stream_draw);
+  }
+
+  void attribute(Uint index, int count, gl::Enum type, std::size_t stride, std::size_t offset) {
+    gl_.EnableVertexAttribArray(index);
+    gl_.VertexAttribPointer(index, count, type, type == gl::unsigned_byte ? 1 : 0, int(stride),
+                            reinterpret_cast<const void*>(offset));
+  }
+
+  void set_matrix(Uint program, const Projection& projection) {
+    Eigen::Matrix4d shift = Eigen::Matrix4d::Identity();
+    shift.block<3, 1>(0, 3) = origin_;
+    const Eigen::Matrix4f matrix = (projection.matrix() * shift).cast<float>();
+    gl_.UniformMatrix4fv(gl_.GetUniformLocation(program, "matrix"), 1, 0, matrix.data());
+  }
+
+  void set_direction(Uint program, const char* name, const Eigen::Vector3d& d) {
+    gl_.Uniform3f(gl_.GetUniformLocation(program, name), float(d.x()), float(d.y()), float(d.z()));
+  }
+
+  void draw_mesh(const DrawnMesh& mesh) {
+    std::vector<MeshVertex> vertices(mesh.vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      vertices[i].position = to_float(mesh.vertices[i] - origin_);
+      vertices[i].normal =
+          mesh.normals.empty() ? std::array<float, 3>{0, 0, 0} : to_float(mesh.normals[i]);
+      vertices[i].color = mesh.colors[i];
+    }
+    upload(gl::array_buffer, vertices_, vertices.data(), vertices.size() * sizeof(MeshVertex));
+    upload(gl::element_array_buffer, indices_, mesh.triangles.data(),
+           mesh.triangles.size() * sizeof(Eigen::Vector3i));
+    attribute(0, 3, gl::float_type, sizeof(MeshVertex), 0);
+    attribute(1, 3, gl::float_type, sizeof(MeshVertex), offsetof(MeshVertex, normal));
+    attribute(2, 4, gl::unsigned_byte, sizeof(MeshVertex), offsetof(MeshVertex, color));
+    gl_.DrawElements(gl::triangles, int(3 * mesh.triangles.size()), gl::unsigned_int, nullptr);
+  }
+
+  void draw_meshes(const Drawing& drawing, const Projection& projection, bool translucent) {
+    std::vector<DrawnMesh> filled;
+    std::vector<std::pair<double, const DrawnMesh*>> order;
+    const auto want = [&](const DrawnMesh& mesh) {
+      if (mesh.triangles.empty() || (mesh.colors[0].a < 255) != translucent) return;
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      for (const Eigen::Vector3d& v : mesh.vertices) sum += v;
+      const Eigen::Vector3d center = sum / double(mesh.vertices.size());
+      order.emplace_back(-projection.forward().dot(center - projection.eye()), &mesh);
+    };
+    filled.reserve(drawing.polygons.size());
+    for (const DrawnPolygon& polygon : drawing.polygons) {
+      if (polygon.fill.a == 0) continue;
+      filled.push_back(filling(polygon));
+    }
+    for (const DrawnMesh& mesh : drawing.meshes) want(mesh);
+    for (const DrawnMesh& mesh : filled) want(mesh);
+    if (order.empty()) return;
+    if (translucent) {  // Far ones first.
+      std::stable_sort(order.begin(), order.end(),
+                       [](const auto& a, const auto& b) { return a.first < b.first; });
+      gl_.Enable(gl::blend);
+      gl_.BlendFuncSeparate(gl::src_alpha, gl::one_minus_src_alpha, gl::one,
+                            gl::one_minus_src_alpha);
+      gl_.DepthMask(0);
+    }
+    gl_.Enable(gl::polygon_offset_fill);
+    gl_.PolygonOffset(1.0F, 1.0F);
+    gl_.UseProgram(mesh_program_);
+    set_matrix(mesh_program_, projection);
+    set_direction(mesh_program_, "to_eye", -projection.forward());
+    set_direction(
+        mesh_program_, "key_light",
+        (-projection.forward() - 0.55 * projection.right() + 0.9 * projection.up()).normalized());
+    for (const auto& [distance, mesh] : order) draw_mesh(*mesh);
+    gl_.Disable(gl::polygon_offset_fill);
+    gl_.Disable(gl::blend);
+    gl_.DepthMask(1);
+  }
+
+  static DrawnMesh filling(const DrawnPolygon& polygon) {
+    DrawnMesh mesh;
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // Newell
+    for (std::size_t i = 0; i < polygon.outer.size(); ++i) {
+      normal += polygon.outer[i].cross(polygon.outer[(i + 1) % polygon.outer.size()]);
+    }
+    if (!(normal.norm() > 0.0)) return mesh;
+    normal.normalize();
+    const Eigen::Vector3d u = normal.unitOrthogonal();
+    const Eigen::Vector3d v = normal.cross(u);
+    std::vector<std::vector<Eigen::Vector2d>> rings;
+    const auto add = [&](const std::vector<Eigen::Vector3d>& ring) {
+      rings.emplace_back();
+      for (const Eigen::Vector3d& p : ring) {
+        rings.back().emplace_back(u.dot(p), v.dot(p));
+        mesh.vertices.push_back(p);
+      }
+    };
+    add(polygon.outer);
+    for (const auto& hole : polygon.holes) add(hole);
+    mesh.triangles = triangulate(rings);
+    mesh.colors.assign(mesh.vertices.size(), polygon.fill);
+    return mesh;
+  }
+
+  void draw_points(const Drawing& drawing, const Projection& projection, int height) {
+    if (drawing.points.empty()) return;
+    gl_.UseProgram(point_program_);
+    set_matrix(point_program_, projection);
+    gl_.Enable(gl::sample_alpha_to_coverage);
+    gl_.DisableVertexAttribArray(1);
+    for (const DrawnPoints& group : drawing.points) {
+      // In perspective clip w is the distance, so size in pixels = pixels per metre at 1 m * size /
+      // w.
+      gl_.Uniform1f(gl_.GetUniformLocation(point_program_, "least_px"), float(group.size_px));
+      gl_.Uniform1f(gl_.GetUniformLocation(point_program_, "size_at_one"),
+                    float(group.size_m * projection.pixels_per_metre(1.0)));
+      gl_.Uniform1f(gl_.GetUniformLocation(point_program_, "most_px"), float(height) / 20.0F);
+      constexpr std::size_t chunk = std::size_t(1) << 20U;  // Bounds the memory of huge clouds.
+      std::vector<PointVertex> vertices;
+      for (std::size_t begin = 0; begin < group.positions.size(); begin += chunk) {
+        const std::size_t count = std::min(chunk, group.positions.size() - begin);
+        vertices.resize(count);
+        for (std::size_t i = 0; i < count; ++i) {
+          vertices[i] = {to_float(group.positions[begin + i] - origin_), group.colors[begin + i]};
+        }
+        upload(gl::array_buffer, vertices_, vertices.data(), count * sizeof(PointVertex));
+        attribute(0, 3, gl::float_type, sizeof(PointVertex), 0);
+        attribute(2, 4, gl::unsigned_byte, sizeof(PointVertex), offsetof(PointVertex, color));
+        gl_.DrawArrays(gl::points, 0, int(count));
+      }
+    }
+    gl_.Disable(gl::sample_alpha_to_coverage);
+  }
+
+  /// Core profiles promise lines of one pixel only, so each piece becomes two triangles in clip
+  /// space.
+  void draw_lines(const Drawing& drawing, const Projection& projection, int width, int height) {
+    gl_.UseProgram(line_program_);
+    gl_.DisableVertexAttribArray(1);
+    for (const bool hidden : {false, true}) {
+      std::vector<LineVertex> vertices;
+      for (const DrawnLines& lines : drawing.lines) {
+        if (lines.hidden != hidden) continue;
+        for (std::size_t i = 0; i + 1 < lines.ends.size(); i += 2) {
+          add_line(vertices, projection, lines.ends[i], lines.ends[i + 1], lines.color,
+                   lines.width_px, width, height);
+        }
+      }
+      if (!hidden) {
+        for (const DrawnPolygon& polygon : drawing.polygons) {
+          if (polygon.outline.a == 0) continue;
+          add_ring(vertices, projection, polygon.outer, polygon, width, height);
+          for (const auto& hole : polygon.holes) {
+            add_ring(vertices, projection, hole, polygon, width, height);
+          }
+        }
+      }
+      if (vertices.empty()) continue;
+      if (hidden) gl_.Disable(gl::depth_test);
+      gl_.Enable(gl::blend);
+      gl_.BlendFuncSeparate(gl::src_alpha, gl::one_minus_src_alpha, gl::one,
+                            gl::one_minus_src_alpha);
+      upload(gl::array_buffer, vertices_, vertices.data(), vertices.size() * sizeof(LineVertex));
+      attribute(0, 4, gl::float_type, sizeof(LineVertex), 0);
+      attribute(2, 4, gl::unsigned_byte, sizeof(LineVertex), offsetof(LineVertex, color));
+      gl_.DrawArrays(gl::triangles, 0, int(vertices.size()));
+      gl_.Disable(gl::blend);
+      gl_.Enable(gl::depth_test);
+    }
+  }
+
+  static void add_ring(std::vector<LineVertex>& vertices, const Projection& projection,
+                       const std::vector<Eigen::Vector3d>& ring, const DrawnPolygon& polygon,
+                       int width, int height) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      add_line(vertices, projection, ring[i], ring[(i + 1) % ring.size()], polygon.outline,
+               polygon.outline_px, width, height);
+    }
+  }
+
+  static void add_line(std::vector<LineVertex>& vertices, const Projection& projection,
+                       const Eigen::Vector3d& a, const Eigen::Vector3d& b, Color color,
+                       double line_px, int width, int height) {
+    Eigen::Vector4d p = projection.matrix() * a.homogeneous();
+    Eigen::Vector4d q = projection.matrix() * b.homogeneous();
+    const double near_w = projection.parallel() ? -1e300 : projection.near_plane();
+    if (p.w() < near_w && q.w() < near_w) return;
+    if (p.w() < near_w) p += (q - p) * ((near_w - p.w()) / (q.w() - p.w()));
+    if (q.w() < near_w) q += (p - q) * ((near_w - q.w()) / (p.w() - q.w()));
+    const Eigen::Vector2d half(width / 2.0, height / 2.0);
+    const Eigen::Vector2d p_px = (p.head<2>() / p.w()).cwiseProduct(half);
+    const Eigen::Vector2d q_px = (q.head<2>() / q.w()).cwiseProduct(half);
+    Eigen::Vector2d along = q_px - p_px;
+    if (!(along.norm() > 1e-9)) return;
+    along *= 0.5 * line_px / along.norm();
+    const Eigen::Vector2d side = Eigen::Vector2d(-along.y(), along.x()).cwiseQuotient(half);
+    const Eigen::Vector2d cap = along.cwiseQuotient(half);
+    const auto corner = [&](const Eigen::Vector4d& end, const Eigen::Vector2d& shift) {
+      const Eigen::Vector2d moved = end.head<2>() + shift * end.w();
+      // A little towards the eye, so that an edge wins against its own face.
+      const double z = end.z() - 4e-5 * std::abs(end.w());
+      return LineVertex{{float(moved.x()), float(moved.y()), float(z), float(end.w())}, color};
+    };
+    const LineVertex c[] = {corner(p, side - cap), corner(p, -side - cap), corner(q, -side + cap),
+                            corner(q, side + cap)};
+    for (const int i : {0, 1, 2, 0, 2, 3}) vertices.push_back(c[i]);
+  }
+
+  Frame read(const Projection& projection, int width, int height) {
+    gl_.BindFramebuffer(gl::read_framebuffer, multi_.framebuffer);
+    gl_.BindFramebuffer(gl::draw_framebuffer, single_.framebuffer);
+    gl_.BlitFramebuffer(0, 0, width, height, 0, 0, width, height,
+                        gl::color_buffer_bit | gl::depth_buffer_bit, gl::nearest);
+    gl_.BindFramebuffer(gl::framebuffer, single_.framebuffer);
+    gl_.PixelStorei(gl::pack_alignment, 1);
+    const std::size_t row = std::size_t(width);
+    const std::size_t pixels = row * std::size_t(height);
+    rgb_.resize(3 * pixels);
+    depth_.resize(pixels);
+    gl_.ReadPixels(0, 0, width, height, gl::rgb, gl::unsigned_byte, rgb_.data());
+    gl_.ReadPixels(0, 0, width, height, gl::depth_component, gl::float_type, depth_.data());
+    if (const gl::Enum error = gl_.GetError(); error != 0) {
+      fail_data("", "", "OpenGL reported error " + std::to_string(error) + " while drawing");
+    }
+    Frame frame;
+    frame.image = {width, height, std::vector<std::uint8_t>(3 * pixels)};
+    frame.distance.resize(pixels);
+    for (std::size_t y = 0; y < std::size_t(height); ++y) {  // OpenGL's first row is the lowest.
+      const std::size_t from = (std::size_t(height) - 1 - y) * row;
+      std::memcpy(&frame.image.rgb[3 * y * row], &rgb_[3 * from], 3 * row);
+      for (std::size_t x = 0; x < row; ++x) {
+        const float depth = depth_[from + x];
+        frame.distance[y * row + x] =
+            depth < 1.0F ? float(projection.distance_of_depth(double(depth))) : 0.0F;
+      }
+    }
+    return frame;
+  }
+
+  std::unique_ptr<GlContext> context_;
+  gl::Functions gl_;
+  Uint mesh_program_ = 0, point_program_ = 0, line_program_ = 0;
+  Uint array_ = 0, vertices_ = 0, indices_ = 0;
+  Target multi_, single_;
+  int width_ = 0, height_ = 0, samples_ = 0, most_samples_ = 1;
+  Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
+  std::vector<std::uint8_t> rgb_;
+  std::vector<float> depth_;
+};
+
+std::mutex renderer_mutex;
+
+Renderer& renderer() {
+  static auto* const one = new Renderer;  // Never destroyed, see there.
+  return *one;
+}
+
+}  // namespace
+
+Frame draw_with_gl(const Drawing& drawing, const Projection& projection, int width, int height,
+                   int samples, Color background) {
+  const std::lock_guard lock(renderer_mutex);
+  return renderer().draw(drawing, projection, width, height, samples, background);
+}
+
+std::string gl_driver() {
+  const std::lock_guard lock(renderer_mutex);
+  return renderer().driver();
+}
+
+}  // namespace scanchor

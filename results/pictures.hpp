@@ -1,0 +1,42 @@
+#pragma once
+// The pictures that most people want, in one call each: 1280 x 720 unless told otherwise.
+
+#include <string>
+
+#include "results/draw_cloud.hpp"
+#include "results/draw_labels.hpp"
+#include "results/draw_scene.hpp"
+#include "results/draw_surfaces.hpp"
+#include "results/render.hpp"
+
+namespace scanchor {
+
+struct PictureOptions {
+  RenderOptions render;
+  double azimuth_deg = -122.0;  ///< of the eye, counter-clockwise from +x
+  double elevation_deg = 42.0;  ///< of the eye above the horizon
+  std::string title;            ///< empty: a plain one
+};
+
+/// The room, opened towards the viewer.
+Image picture_of_scene(const Scene& scene, const PictureOptions& options = {},
+                       SceneColor color = SceneColor::class_id);
+/// The scan in the world's frame; near walls and the ceiling are left out by the truth. Same view
+/// as picture_of_scene().
+Image picture_of_scan(const Scene& scene, const Scan& scan, const PictureOptions& options = {},
+                      CloudColor color = CloudColor::class_id);
+/// Any cloud; near walls and the ceiling are left out if surfaces are given. `T_world_cloud` turns
+/// it into the frame of other pictures.
+Image picture_of_cloud(const PointCloud& cloud, const PictureOptions& options = {},
+                       CloudColor color = CloudColor::height, const Surfaces* surfaces = nullptr,
+                       const Eigen::Isometry3d& T_world_cloud = Eigen::Isometry3d::Identity());
+/// The polygons, rectangles and features that perception found.
+Image picture_of_surfaces(const Surfaces& surfaces, const PictureOptions& options = {},
+                          const Eigen::Isometry3d& T_world_cloud = Eigen::Isometry3d::Identity());
+/// The named things, over the faint points of the cloud if it is given.
+Image picture_of_labels(const Surfaces& surfaces, const Labelling& labelling,
+                        const PictureOptions& options = {}, const PointCloud* cloud = nullptr,
+                        const Eigen::Isometry3d& T_world_cloud = Eigen::Isometry3d::Identity(),
+                        DrawLabelsOptions labels = {});
+
+}  // namespace scanchor
