@@ -13,8 +13,10 @@ namespace {
 
 constexpr bool big_machine = std::endian::native == std::endian::big;
 
-void append_little(std::string& bytes, std::uint32_t word) {
-  for (int k = 0; k < 4; ++k) bytes += static_cast<char>(word >> (8 * k) & 255);
+void put_little(char*& out, std::uint32_t word) {
+  if constexpr (big_machine) word = __builtin_bswap32(word);
+  std::memcpy(out, &word, 4);
+  out += 4;
 }
 
 std::uint32_t sixteen_bits(const Field* field, std::size_t i, const std::string& file) {
@@ -57,13 +59,14 @@ void add_kitti_labels(PointCloud& cloud, std::string_view content, const std::st
 }
 
 std::string format_kitti(const PointCloud& cloud) {
-  const Field* intensity = cloud.find("intensity");
-  std::string bytes;
-  bytes.reserve(16 * cloud.size());
+  const Field* field = cloud.find("intensity");
+  const auto* intensity = field != nullptr ? std::get_if<std::vector<float>>(&field->values) : nullptr;
+  std::string bytes(16 * cloud.size(), '\0');
+  char* out = bytes.data();
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    for (int k = 0; k < 3; ++k) append_little(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(cloud.points[i][k])));
-    append_little(bytes, std::bit_cast<std::uint32_t>(
-                             intensity != nullptr ? static_cast<float>(intensity->at(i)) : 0.0F));
+    for (int k = 0; k < 3; ++k) put_little(out, std::bit_cast<std::uint32_t>(static_cast<float>(cloud.points[i][k])));
+    const float value = intensity != nullptr ? (*intensity)[i] : field != nullptr ? static_cast<float>(field->at(i)) : 0.0F;
+    put_little(out, std::bit_cast<std::uint32_t>(value));
   }
   return bytes;
 }
@@ -71,10 +74,10 @@ std::string format_kitti(const PointCloud& cloud) {
 std::string format_kitti_labels(const PointCloud& cloud, const std::string& file) {
   const Field* label = cloud.find("label");
   const Field* instance = cloud.find("instance");
-  std::string bytes;
-  bytes.reserve(4 * cloud.size());
+  std::string bytes(4 * cloud.size(), '\0');
+  char* out = bytes.data();
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    append_little(bytes, sixteen_bits(label, i, file) | sixteen_bits(instance, i, file) << 16);
+    put_little(out, sixteen_bits(label, i, file) | sixteen_bits(instance, i, file) << 16);
   }
   return bytes;
 }

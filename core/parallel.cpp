@@ -3,6 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <thread>
@@ -14,12 +15,16 @@ void parallel_blocks(std::size_t count, std::size_t block,
   if (count == 0) return;
   block = std::max<std::size_t>(block, 1);
   const std::size_t blocks = (count + block - 1) / block;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks, 1),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      for (std::size_t i = range.begin(); i != range.end(); ++i) {
-                        body(i * block, std::min(count, (i + 1) * block));
-                      }
-                    });
+  // Isolated: a thread that waits for the blocks of an inner loop must not begin an outer one (another whole scene) meanwhile, or
+  // memory grows with the depth of such nesting.
+  tbb::this_task_arena::isolate([&] {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks, 1),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+                          body(i * block, std::min(count, (i + 1) * block));
+                        }
+                      });
+  });
 }
 
 ThreadLimit::ThreadLimit(int threads)

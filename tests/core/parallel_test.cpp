@@ -44,6 +44,23 @@ TEST(Parallel, OneThreadMeansOne) {
   EXPECT_EQ(std::set<std::thread::id>(ids.begin(), ids.end()).size(), 1U);
 }
 
+TEST(Parallel, AWaitingThreadDoesNotBeginAnotherOuterBlock) {
+  const ThreadLimit limit(2);
+  static thread_local int depth = 0;
+  std::atomic<int> deepest = 0;
+  parallel_blocks(200, 1, [&](std::size_t, std::size_t) {
+    ++depth;
+    int seen = deepest.load();
+    while (depth > seen && !deepest.compare_exchange_weak(seen, depth)) {}
+    parallel_blocks(50, 1, [&](std::size_t, std::size_t) {
+      volatile double x = 1.0;
+      for (int i = 0; i < 2000; ++i) x = x * 1.0000001;
+    });
+    --depth;
+  });
+  EXPECT_EQ(deepest.load(), 1);
+}
+
 TEST(Parallel, AnExceptionComesOut) {
   EXPECT_THROW(parallel_blocks(100, 1,
                                [](std::size_t begin, std::size_t) {
