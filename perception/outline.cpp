@@ -1,0 +1,326 @@
+#include "perception/outline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "perception/polygon_union_find.hpp"
+
+namespace scanchor {
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+double median(std::vector<double>& values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Everything that the steps share.
+struct Work {
+  const PointCloud& cloud;
+  const Surfaces& surfaces;
+  const Surface& surface;
+  const OutlineSamples& input;
+  double gate;
+  Triangulation mesh;
+  std::vector<SampleKind> kind;    ///< of each sample, specks corrected
+  std::vector<double> scale;       ///< longest side that a triangle at the sample may have
+  std::vector<char> kept;          ///< triangle stands for something measured and has a corner inside
+  double spacing = 0.0;
+
+  [[nodiscard]] bool inside(std::uint32_t s) const { return kind[s] == SampleKind::inside; }
+  [[nodiscard]] double distance(std::uint32_t a, std::uint32_t b) const {
+    return (input.samples[a].metric - input.samples[b].metric).norm();
+  }
+  [[nodiscard]] double longest_side(const Triangle& t) const {
+    return std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
+  }
+};
+
+/// A lone ray that missed although all around it met the surface is a stray return, not a hole.
+void correct_specks(Work& work) {
+  const auto& samples = work.input.samples;
+  work.kind.resize(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) work.kind[i] = samples[i].kind;
+  std::vector<char> seen(samples.size(), 0);
+  std::vector<char> company(samples.size(), 0);  // has a neighbour outside
+  for (const Triangle& t : work.mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      seen[t[k]] = 1;
+      if (samples[t[(k + 1) % 3]].kind != SampleKind::inside || samples[t[(k + 2) % 3]].kind != SampleKind::inside) {
+        company[t[k]] = 1;
+      }
+    }
+  }
+  // On the hull a ray outside may have neighbours inside only; it is evidence all the same.
+  for (std::size_t n = 0; n < work.mesh.triangles.size(); ++n) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (work.mesh.neighbours[n][k] >= 0) continue;
+      company[work.mesh.triangles[n][(k + 1) % 3]] = 1;
+      company[work.mesh.triangles[n][(k + 2) % 3]] = 1;
+    }
+  }
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (seen[i] && !company[i] && samples[i].reachable) work.kind[i] = SampleKind::inside;
+  }
+}
+
+/// The spacing of the samples. With a view, rays are spread evenly and the median triangle tells it for the whole surface. Without,
+/// the spacing changes along the surface: median of the edges at a sample, then the median over its neighbours, so that the few long
+/// edges that span a gap do not speak for it.
+void measure_scale(Work& work) {
+  const auto& samples = work.input.samples;
+  std::vector<double> longest;
+  for (const Triangle& t : work.mesh.triangles) {
+    bool plain = true;
+    for (const std::uint32_t s : t) plain = plain && work.inside(s) && !samples[s].thinned;
+    if (plain) longest.push_back(work.longest_side(t));
+  }
+  if (longest.empty()) {
+    for (const Triangle& t : work.mesh.triangles) longest.push_back(work.longest_side(t));
+  }
+  work.spacing = median(longest);
+  constexpr double bridged = 2.5;  // one missing sample between two doubles a side; two do not count as neighbours
+  work.scale.assign(samples.size(), bridged * work.spacing);
+  if (work.input.with_view) return;
+
+  std::vector<std::uint32_t> begin(samples.size() + 1, 0);
+  for (const Triangle& t : work.mesh.triangles) {
+    for (const std::uint32_t s : t) begin[s + 1] += 2;
+  }
+  for (std::size_t i = 0; i < samples.size(); ++i) begin[i + 1] += begin[i];
+  std::vector<std::uint32_t> neighbour(begin.back());
+  std::vector<std::uint32_t> fill(begin.begin(), begin.end() - 1);
+  for (const Triangle& t : work.mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      neighbour[fill[t[k]]++] = t[(k + 1) % 3];
+      neighbour[fill[t[k]]++] = t[(k + 2) % 3];
+    }
+  }
+  std::vector<double> own(samples.size(), 0.0);
+  std::vector<double> values;
+  for (std::uint32_t i = 0; i < samples.size(); ++i) {
+    values.clear();
+    for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) values.push_back(work.distance(i, neighbour[k]));
+    own[i] = median(values);
+  }
+  for (std::uint32_t i = 0; i < samples.size(); ++i) {
+    values.clear();
+    for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) values.push_back(own[neighbour[k]]);
+    if (!values.empty()) work.scale[i] = bridged * std::max(median(values), std::min(own[i], 2.0 * median(values)));
+  }
+}
+
+void choose_triangles(Work& work) {
+  const auto& samples = work.input.samples;
+  work.kept.resize(work.mesh.triangles.size());
+  for (std::size_t n = 0; n < work.mesh.triangles.size(); ++n) {
+    const Triangle& t = work.mesh.triangles[n];
+    const int in = work.inside(t[0]) + work.inside(t[1]) + work.inside(t[2]);
+    // A thinned sample has all eight cells around it full: its triangles span nothing.
+    const bool deep = in == 3 && (samples[t[0]].thinned || samples[t[1]].thinned || samples[t[2]].thinned);
+    const double limit = std::max({work.scale[t[0]], work.scale[t[1]], work.scale[t[2]]});
+    work.kept[n] = in > 0 && (deep || work.longest_side(t) <= limit);
+  }
+}
+
+/// What lies beyond the edge between sample i inside and sample j outside.
+EdgeKind kind_between(const Work& work, std::uint32_t i, std::uint32_t j) {
+  if (work.kind[j] != SampleKind::blocked) return EdgeKind::true_edge;
+  const OutlineSample& in = work.input.samples[i];
+  const OutlineSample& out = work.input.samples[j];
+  const Eigen::Vector3d p = work.surface.T_cloud_surface * Eigen::Vector3d(in.plane.x(), in.plane.y(), 0.0);
+  // [m] how far the next sample on the plane would have been: the angle between the rays, seen on the plane.
+  const Eigen::Vector2d foot = work.input.chart.sensor.head<2>();
+  const double height = std::abs(work.input.chart.sensor.z());
+  const double range = std::hypot((in.plane - foot).norm(), height);
+  double step = work.distance(i, j) * range * range / std::max(height, 1e-9);
+  if (out.reachable) step = std::min(step, (in.plane - out.plane).norm());
+  // Contact, not shadow, where the nearer thing meets this surface here: its plane passes through the edge.
+  const std::int32_t other = work.surfaces.plane_of_point[out.point];
+  if (other >= 0) {
+    const Plane& plane = work.surfaces.surfaces[static_cast<std::size_t>(other)].plane;
+    const bool upright = std::abs(plane.normal.dot(work.surface.plane.normal)) < 0.9;
+    return upright && std::abs(plane.normal.dot(p) - plane.offset) <= step + work.gate ? EdgeKind::true_edge : EdgeKind::occlusion;
+  }
+  return (work.cloud.points[out.point] - p).norm() <= 2.0 * step + work.gate ? EdgeKind::true_edge : EdgeKind::occlusion;
+}
+
+/// Node half-way between a sample inside and one outside.
+OutlineNode middle_node(const Work& work, std::uint32_t i, std::uint32_t j) {
+  const OutlineSample& in = work.input.samples[i];
+  const OutlineSample& out = work.input.samples[j];
+  if (!work.input.with_view) return {0.5 * (in.plane + out.plane), 0.5 * (in.plane - out.plane).norm()};
+  // At a far, grazing edge the next ray may land metres away or never. Then half of the spacing before it has to do.
+  const double height = std::max(std::abs(work.input.chart.sensor.z()), 1e-9);
+  const double range = std::hypot((in.plane - work.input.chart.sensor.head<2>()).norm(), height);
+  const double reach = 0.75 * work.distance(i, j) * range * range / height;
+  Eigen::Vector2d middle;
+  const Eigen::Vector2d chart = 0.5 * (in.chart + out.chart);
+  if (work.input.chart.to_plane(chart, middle)) {
+    const double half = (middle - in.plane).norm();
+    if (half <= reach) return {middle, half};
+    return {in.plane + (middle - in.plane) * (reach / half), reach};
+  }
+  Eigen::Vector2d near;
+  for (double share = 0.25; share > 1e-4; share *= 0.5) {
+    if (!work.input.chart.to_plane(in.chart + share * (out.chart - in.chart), near)) continue;
+    const double distance = (near - in.plane).norm();
+    if (distance > 0.0) return {in.plane + (near - in.plane) * (std::min(distance, reach) / distance), reach};
+  }
+  return {in.plane, reach};
+}
+
+/// Boundary of the part inside, triangle by triangle. Nodes are made as they are met.
+std::vector<BoundarySegment> march(const Work& work, Outline& outline, std::vector<std::int32_t>& node_of_sample) {
+  std::vector<char> bounding(work.input.samples.size(), 0);  // sample outside, across a true edge
+  const auto& triangles = work.mesh.triangles;
+  const auto& neighbours = work.mesh.neighbours;
+  const auto is_kept = [&](std::int32_t n) { return n >= 0 && work.kept[static_cast<std::size_t>(n)]; };
+  UnionFind pieces(triangles.size());
+  for (std::size_t n = 0; n < triangles.size(); ++n) {
+    for (std::size_t k = 0; k < 3 && work.kept[n]; ++k) {
+      const bool wet = work.inside(triangles[n][(k + 1) % 3]) || work.inside(triangles[n][(k + 2) % 3]);
+      if (wet && is_kept(neighbours[n][k])) pieces.join(n, static_cast<std::size_t>(neighbours[n][k]));
+    }
+  }
+  constexpr std::uint32_t none = 0xffffffffU;
+  std::vector<std::array<std::uint32_t, 3>> middle(triangles.size(), {none, none, none});
+  const auto vertex_node = [&](std::uint32_t s) {
+    if (node_of_sample[s] < 0) {
+      node_of_sample[s] = static_cast<std::int32_t>(outline.nodes.size());
+      outline.nodes.push_back({work.input.samples[s].plane, 0.0});
+    }
+    return static_cast<std::uint32_t>(node_of_sample[s]);
+  };
+  const auto middle_of = [&](std::size_t n, std::size_t k) {
+    if (middle[n][k] == none) {
+      std::uint32_t a = triangles[n][(k + 1) % 3];
+      std::uint32_t b = triangles[n][(k + 2) % 3];
+      if (!work.inside(a)) std::swap(a, b);
+      middle[n][k] = static_cast<std::uint32_t>(outline.nodes.size());
+      outline.nodes.push_back(middle_node(work, a, b));
+      const std::int32_t m = neighbours[n][k];
+      if (m >= 0) {
+        for (std::size_t l = 0; l < 3; ++l) {
+          if (neighbours[static_cast<std::size_t>(m)][l] == static_cast<std::int32_t>(n)) middle[static_cast<std::size_t>(m)][l] = middle[n][k];
+        }
+      }
+    }
+    return middle[n][k];
+  };
+  const EdgeKind open = work.input.with_view ? EdgeKind::view_limit : EdgeKind::unknown;
+  std::vector<BoundarySegment> segments;
+  for (std::size_t n = 0; n < triangles.size(); ++n) {
+    if (!work.kept[n]) continue;
+    const Triangle& t = triangles[n];
+    const auto piece = static_cast<std::uint32_t>(pieces.root(n));
+    std::uint32_t leave = none;   // where the outline goes from inside to outside, and comes back
+    std::uint32_t enter = none;
+    std::size_t from = 0;
+    std::size_t to = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[(k + 1) % 3];
+      const std::uint32_t b = t[(k + 2) % 3];
+      const bool bare = !is_kept(neighbours[n][k]);
+      if (work.inside(a) && work.inside(b)) {
+        if (bare) segments.push_back({vertex_node(a), vertex_node(b), piece, open});
+      } else if (work.inside(a)) {
+        leave = middle_of(n, k);
+        from = k;
+        if (bare) segments.push_back({vertex_node(a), leave, piece, open});
+      } else if (work.inside(b)) {
+        enter = middle_of(n, k);
+        to = k;
+        if (bare) segments.push_back({enter, vertex_node(b), piece, open});
+      }
+    }
+    if (leave == none) continue;
+    // Of two pairs the one with the farther view decides: a passed ray is certain, a blocked one is not.
+    const EdgeKind first = kind_between(work, t[(from + 1) % 3], t[(from + 2) % 3]);
+    const EdgeKind second = kind_between(work, t[(to + 2) % 3], t[(to + 1) % 3]);
+    const bool real = first == EdgeKind::true_edge || second == EdgeKind::true_edge;
+    if (first == EdgeKind::true_edge) bounding[t[(from + 2) % 3]] = 1;
+    if (second == EdgeKind::true_edge) bounding[t[(to + 1) % 3]] = 1;
+    segments.push_back({leave, enter, piece, real ? EdgeKind::true_edge : EdgeKind::occlusion});
+  }
+  for (std::size_t s = 0; s < bounding.size(); ++s) {
+    const OutlineSample& sample = work.input.samples[s];
+    if (work.kind[s] == SampleKind::inside && !sample.thinned) outline.inside.push_back(sample.plane);
+    if (bounding[s] && sample.reachable) outline.beyond.push_back(sample.plane);
+  }
+  return segments;
+}
+
+/// Samples that border on nothing seen move outwards by half of the spacing behind them: the mean step to their neighbours inside.
+void widen_open_edges(const Work& work, const std::vector<std::int32_t>& node_of_sample, Outline& outline) {
+  const auto& samples = work.input.samples;
+  std::vector<std::int32_t> sample_of_node(outline.nodes.size(), -1);
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    if (node_of_sample[s] >= 0) sample_of_node[static_cast<std::size_t>(node_of_sample[s])] = static_cast<std::int32_t>(s);
+  }
+  std::vector<Eigen::Vector2d> inward(samples.size(), Eigen::Vector2d::Zero());
+  std::vector<int> count(samples.size(), 0);
+  for (std::size_t n = 0; n < work.mesh.triangles.size(); ++n) {
+    if (!work.kept[n]) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = work.mesh.triangles[n][k];
+      if (node_of_sample[a] < 0) continue;
+      for (std::size_t l = 1; l < 3; ++l) {
+        const std::uint32_t b = work.mesh.triangles[n][(k + l) % 3];
+        if (!work.inside(b) || node_of_sample[b] >= 0 || samples[b].thinned) continue;
+        inward[a] += samples[b].plane - samples[a].plane;
+        ++count[a];
+      }
+    }
+  }
+  std::vector<Eigen::Vector2d> moved(outline.nodes.size(), Eigen::Vector2d::Zero());
+  for (const BoundaryRing& ring : outline.rings) {
+    const std::size_t size = ring.nodes.size();
+    for (std::size_t i = 0; i < size; ++i) {
+      const std::uint32_t node = ring.nodes[i];
+      if (sample_of_node[node] < 0) continue;
+      const auto s = static_cast<std::size_t>(sample_of_node[node]);
+      if (count[s] == 0) continue;
+      const Eigen::Vector2d along = outline.nodes[ring.nodes[(i + 1) % size]].position - outline.nodes[ring.nodes[(i + size - 1) % size]].position;
+      const double length = along.norm();
+      if (length == 0.0) continue;
+      const Eigen::Vector2d outward(along.y() / length, -along.x() / length);  // the region lies on the left
+      const double depth = -(inward[s] / count[s]).dot(outward);
+      if (depth <= 0.0) continue;
+      outline.nodes[node].half_gap = 0.5 * depth;
+      moved[node] = 0.5 * depth * outward;
+      outline.next.push_back(samples[s].plane + depth * outward);
+    }
+  }
+  for (std::size_t n = 0; n < moved.size(); ++n) outline.nodes[n].position += moved[n];
+}
+
+}  // namespace
+
+Outline find_outline(const PointCloud& cloud, const Surfaces& surfaces, const Surface& surface, const OutlineSamples& samples,
+                     double gate) {
+  Work work{cloud, surfaces, surface, samples, gate, {}, {}, {}, {}, 0.0};
+  std::vector<Eigen::Vector2d> chart(samples.samples.size());
+  for (std::size_t i = 0; i < chart.size(); ++i) chart[i] = samples.samples[i].chart;
+  work.mesh = delaunay(chart);
+  Outline outline;
+  if (work.mesh.triangles.empty()) return outline;
+  correct_specks(work);
+  measure_scale(work);
+  choose_triangles(work);
+  outline.spacing = work.spacing;
+
+  std::vector<std::int32_t> node_of_sample(samples.samples.size(), -1);
+  const std::vector<BoundarySegment> segments = march(work, outline, node_of_sample);
+  std::vector<Eigen::Vector2d> positions(outline.nodes.size());
+  for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = outline.nodes[i].position;
+  outline.rings = chain_rings(positions, segments);
+  widen_open_edges(work, node_of_sample, outline);
+  return outline;
+}
+
+}  // namespace scanchor

@@ -1,0 +1,184 @@
+#include "perception/outline_samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scanchor {
+namespace {
+
+void sort_samples(std::vector<OutlineSample>& samples) {
+  std::sort(samples.begin(), samples.end(), [](const OutlineSample& a, const OutlineSample& b) {
+    if (a.chart.x() != b.chart.x()) return a.chart.x() < b.chart.x();
+    if (a.chart.y() != b.chart.y()) return a.chart.y() < b.chart.y();
+    if (a.kind != b.kind) return a.kind < b.kind;
+    return a.point < b.point;
+  });
+}
+
+/// Marks on the cells of a view that cost nothing to wipe: a cell is marked if it holds the number of the current round.
+struct CellMarks {
+  std::vector<std::uint32_t> round_of;
+  std::uint32_t round = 0;
+  void begin(std::size_t cells) {
+    if (round_of.size() < cells || round == 0xffffffffU) {
+      round_of.assign(cells, 0);
+      round = 0;
+    }
+    ++round;
+  }
+  bool mark(std::uint32_t cell) {
+    if (round_of[cell] == round) return false;
+    round_of[cell] = round;
+    return true;
+  }
+};
+
+/// Axis for the chart: of a few candidates the one from which the inliers lie nearest, so that the projection stretches least.
+Eigen::Vector3d chart_axis(const std::vector<Eigen::Vector3d>& directions, const Eigen::Vector3d& towards_plane) {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const auto& d : directions) mean += d;
+  if (mean.norm() < 1e-6 * static_cast<double>(directions.size())) mean = towards_plane;
+  mean.normalize();
+  // The bisector helps where a floor is seen all around.
+  const Eigen::Vector3d candidates[] = {mean, (mean + towards_plane).normalized(), towards_plane};
+  Eigen::Vector3d best = towards_plane;
+  double best_cosine = -1.0;
+  for (const auto& axis : candidates) {
+    double least = 1.0;
+    for (const auto& d : directions) least = std::min(least, axis.dot(d));
+    if (least > best_cosine) {
+      best_cosine = least;
+      best = axis;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+bool SurfaceChart::to_plane(const Eigen::Vector2d& point, Eigen::Vector2d& plane) const {
+  const Eigen::Vector3d d = axes.transpose() * Eigen::Vector3d(point.x(), point.y(), 1.0);
+  const double t = -sensor.z() / d.z();  // the plane is z = 0
+  if (!(t > 0.0) || !std::isfinite(t)) return false;
+  plane = sensor.head<2>() + t * d.head<2>();
+  return plane.allFinite();
+}
+
+OutlineSamples samples_without_view(const FlatPoints& flat) {
+  OutlineSamples result;
+  result.samples.resize(flat.points.size());
+  for (std::size_t i = 0; i < flat.points.size(); ++i) {
+    OutlineSample& s = result.samples[i];
+    s.chart = s.plane = flat.points[i];
+    s.metric = {flat.points[i].x(), flat.points[i].y(), 0.0};
+    s.point = flat.order[i];
+  }
+  return result;  // flat points are sorted already
+}
+
+OutlineSamples samples_with_view(const PointCloud& cloud, const ShapeView& view, const Surfaces& surfaces, const Surface& surface,
+                                 double gate) {
+  OutlineSamples result;
+  result.with_view = true;
+  const Eigen::Matrix3d R = surface.T_cloud_surface.linear().transpose();
+  SurfaceChart& chart = result.chart;
+  chart.sensor = R * (view.sensor() - surface.T_cloud_surface.translation());
+  const double side = chart.sensor.z() >= 0.0 ? 1.0 : -1.0;  // on which side of the plane the sensor stands
+
+  // Cells of the surface; those whose whole surroundings belong to it are deep inside.
+  static thread_local CellMarks marks;
+  marks.begin(view.cell_count());
+  std::vector<std::uint32_t> cells;
+  for (const std::uint32_t i : surface.inliers) {
+    const std::uint32_t cell = view.cell_of_point(i);
+    if (cell < view.cell_count() && marks.mark(cell)) cells.push_back(cell);
+  }
+  std::sort(cells.begin(), cells.end());
+  std::vector<std::uint32_t> searched;  // cells whose points are looked at one by one
+  std::vector<std::uint32_t> deep;
+  for (const std::uint32_t cell : cells) {
+    bool inside = view.owner(cell) == surface.id;
+    const auto around = view.around(cell);
+    for (const std::uint32_t n : around) inside = inside && view.owner(n) == surface.id;
+    if (inside) {
+      deep.push_back(cell);
+      continue;
+    }
+    searched.push_back(cell);
+  }
+  const std::size_t own = searched.size();
+  for (std::size_t k = 0; k < own; ++k) {
+    for (const std::uint32_t n : view.around(searched[k])) {
+      if (marks.mark(n)) searched.push_back(n);
+    }
+  }
+
+  std::vector<std::uint32_t> taken;
+  std::vector<char> thinned;
+  for (const std::uint32_t cell : deep) {
+    // One for all: the smallest by coordinates, which does not depend on the order of the points.
+    const auto points = view.points(cell);
+    std::uint32_t best = points.front();
+    for (const std::uint32_t i : points) {
+      const auto& p = cloud.points[i];
+      const auto& q = cloud.points[best];
+      if (p.x() < q.x() || (p.x() == q.x() && (p.y() < q.y() || (p.y() == q.y() && p.z() < q.z())))) best = i;
+    }
+    taken.push_back(best);
+    thinned.push_back(1);
+  }
+  for (const std::uint32_t cell : searched) {
+    for (const std::uint32_t i : view.points(cell)) {
+      taken.push_back(i);
+      thinned.push_back(0);
+    }
+  }
+
+  std::vector<OutlineSample>& samples = result.samples;
+  samples.reserve(taken.size());
+  std::vector<Eigen::Vector3d> inlier_directions;
+  for (std::size_t k = 0; k < taken.size(); ++k) {
+    const std::uint32_t i = taken[k];
+    const Eigen::Vector3d p = R * (cloud.points[i] - surface.T_cloud_surface.translation());
+    const Eigen::Vector3d d = p - chart.sensor;
+    OutlineSample s;
+    s.point = i;
+    s.thinned = thinned[k] != 0;
+    s.metric = d.normalized();
+    const std::int32_t plane = surfaces.plane_of_point[i];
+    const double t = -chart.sensor.z() / d.z();  // 1: the point itself lies in the plane
+    s.reachable = t > 0.0 && std::isfinite(t);
+    if (s.reachable) s.plane = chart.sensor.head<2>() + t * d.head<2>();
+    if (plane == surface.id) {
+      if (!s.reachable) continue;  // an inlier on the sensor's horizon says nothing about the outline
+      s.kind = SampleKind::inside;
+      inlier_directions.push_back(s.metric);
+    } else if (std::abs(p.z()) <= gate) {
+      if (plane < 0) continue;  // of this surface as far as anyone can tell, but not claimed: no evidence either way
+      s.kind = SampleKind::beside;
+    } else {
+      s.kind = side * p.z() < 0.0 ? SampleKind::passed : SampleKind::blocked;
+    }
+    samples.push_back(s);
+  }
+  if (inlier_directions.empty()) return result;
+
+  std::sort(inlier_directions.begin(), inlier_directions.end(), [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+  });
+  const Eigen::Vector3d a = chart_axis(inlier_directions, {0.0, 0.0, -side});
+  // e1 x e2 = -a where the sensor looks against the normal, so that counter-clockwise is the same in the chart and in the plane.
+  const Eigen::Vector3d helper = std::abs(a.x()) < 0.7 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
+  const Eigen::Vector3d e1 = (helper - helper.dot(a) * a).normalized();
+  const Eigen::Vector3d e2 = -side * a.cross(e1);
+  chart.axes.row(0) = e1;
+  chart.axes.row(1) = e2;
+  chart.axes.row(2) = a;
+  constexpr double horizon = 0.02;  // cosine of about 89 degrees from the axis: beyond it the projection has no room
+  std::erase_if(samples, [&](const OutlineSample& s) { return a.dot(s.metric) < horizon; });
+  for (OutlineSample& s : samples) s.chart = Eigen::Vector2d(e1.dot(s.metric), e2.dot(s.metric)) / a.dot(s.metric);
+  sort_samples(samples);
+  return result;
+}
+
+}  // namespace scanchor

@@ -1,0 +1,386 @@
+#include "perception/rectangle_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math.hpp"
+#include "perception/shape_common.hpp"
+
+namespace scanchor {
+namespace {
+
+constexpr int bins = 64;           // positions of a side that are tried
+constexpr int directions = 17;     // directions that are tried
+constexpr double wrong = 0.01;     // share of samples that belong to the other side of the edge
+
+using Histogram = std::array<double, bins>;
+
+Eigen::Vector2d unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+/// Turn from b to a, modulo a right angle, [-pi/4, pi/4).
+double quarter_difference(double a, double b) {
+  double d = std::fmod(a - b, 0.5 * pi);
+  if (d >= 0.25 * pi) d -= 0.5 * pi;
+  if (d < -0.25 * pi) d += 0.5 * pi;
+  return d;
+}
+
+double trust(EdgeKind kind) {
+  // Shadows have straight edges too, but in the direction of what throws them.
+  return kind == EdgeKind::true_edge || kind == EdgeKind::unknown ? 1.0 : 0.2;
+}
+
+/// Direction modulo a right angle that most of the outline has.
+double main_direction(const std::vector<OutlineEdge>& edges) {
+  double best = 0.0;
+  double best_score = -1.0;
+  const auto angle_of = [](const OutlineEdge& e) { return std::atan2(e.to.y() - e.from.y(), e.to.x() - e.from.x()); };
+  const auto blur = [](const OutlineEdge& e, double length) { return std::max(radians(2.0), e.gap / length); };
+  for (const OutlineEdge& candidate : edges) {
+    const double length = (candidate.to - candidate.from).norm();
+    if (length < 2.0 * candidate.gap || length == 0.0) continue;
+    double score = 0.0;
+    for (const OutlineEdge& e : edges) {
+      const double l = (e.to - e.from).norm();
+      if (l == 0.0) continue;
+      const double z = quarter_difference(angle_of(e), angle_of(candidate)) / blur(e, l);
+      if (std::abs(z) < 1.0) score += trust(e.kind) * l * (1.0 - z * z);
+    }
+    // The longest edge knows the direction best.
+    score *= 1.0 + 0.1 * trust(candidate.kind) * length / (length + 10.0 * candidate.gap);
+    if (score > best_score) {
+      best_score = score;
+      best = angle_of(candidate);
+    }
+  }
+  // An edge of length l with errors of size g at its ends knows its direction to about g / l; weights are lengths to the third,
+  // for the number of samples along it grows with l as well.
+  double sum = 0.0;
+  double weight = 0.0;
+  for (const OutlineEdge& e : edges) {
+    const double l = (e.to - e.from).norm();
+    const double d = quarter_difference(l > 0.0 ? angle_of(e) : best, best);
+    if (std::abs(d) > radians(5.0)) continue;
+    sum += trust(e.kind) * l * l * l * d;
+    weight += trust(e.kind) * l * l * l;
+  }
+  return quarter_difference(weight > 0.0 ? best + sum / weight : best, 0.0);
+}
+
+/// One of the four sides. Position is the distance from the middle along the outward normal.
+struct Side {
+  double turn = 0.0;       ///< of the outward normal against the main direction: 0, 90, 180, 270 degrees
+  double position = 0.0;   ///< [m] first guess
+  double gap = 0.0;        ///< [m] width of the uncertainty
+  double low = 0.0, high = 0.0;  ///< [m] extent along the side
+  double support = 0.0;
+  bool censored = false;
+};
+
+/// Finds the first guess of a side: walking inwards from the outermost edge that faces this way until a tenth of the side is met.
+void guess_side(const std::vector<OutlineEdge>& edges, double direction, Side& side) {
+  const Eigen::Vector2d normal = unit(direction + side.turn);
+  const Eigen::Vector2d along(-normal.y(), normal.x());
+  struct Facing {
+    double position, length, gap;
+    EdgeKind kind;
+  };
+  std::vector<Facing> facing;
+  double outermost = -1e300;
+  side.low = 1e300;
+  side.high = -1e300;
+  for (const OutlineEdge& e : edges) {
+    const Eigen::Vector2d d = e.to - e.from;
+    const double length = d.norm();
+    outermost = std::max(outermost, e.from.dot(normal));
+    side.low = std::min(side.low, e.from.dot(along));
+    side.high = std::max(side.high, e.from.dot(along));
+    const Eigen::Vector2d outward(d.y(), -d.x());
+    if (outward.dot(normal) > 0.85 * length) facing.push_back({0.5 * (e.from + e.to).dot(normal), length, e.gap, e.kind});
+  }
+  std::sort(facing.begin(), facing.end(), [](const Facing& a, const Facing& b) {
+    return a.position != b.position ? a.position > b.position : a.length > b.length;
+  });
+  const double extent = side.high - side.low;
+  double met = 0.0;
+  std::size_t at = facing.size();
+  for (std::size_t i = 0; i < facing.size(); ++i) {
+    met += facing[i].length;
+    at = i;
+    if (met >= 0.1 * extent) break;
+  }
+  if (at == facing.size()) {
+    side.position = outermost;
+    side.censored = true;
+    return;
+  }
+  side.position = facing[at].position;
+  // All that lies along it within the wavering of the outline.
+  double sum = 0.0, weight = 0.0, real = 0.0;
+  const double reach = std::max(facing[at].gap, 0.01 * extent);
+  for (const Facing& f : facing) {
+    if (std::abs(f.position - facing[at].position) > reach) continue;
+    sum += f.length * f.position;
+    weight += f.length;
+    side.gap += f.length * f.gap;
+    if (f.kind == EdgeKind::true_edge || f.kind == EdgeKind::unknown) real += f.length;
+  }
+  side.position = sum / weight;
+  side.gap /= weight;
+  side.support = std::min(1.0, extent > 0.0 ? real / extent : 0.0);
+  side.censored = real < 0.5 * weight;
+}
+
+/// Likelihood of each position of a side at one direction, scaled to a greatest value of 1; returns the logarithm of that scale.
+class SideLikelihood {
+ public:
+  SideLikelihood(const Side& side, double sigma, const RectangleEvidence& evidence, const Eigen::Vector2d& middle, double direction)
+      : side_(side), step_(4.0 * side.gap / bins) {
+    const Eigen::Vector2d normal = unit(direction + side.turn);
+    const Eigen::Vector2d along(-normal.y(), normal.x());
+    const double band = 3.0 * side.gap;
+    const double extent = side.high - side.low;
+    const double margin = std::min(0.25 * extent, std::max(side.gap, 0.02 * extent));
+    const double lowest = along.dot(middle);
+    const auto take = [&](const std::vector<Eigen::Vector2d>& from, double inwards, std::vector<Eigen::Vector2d>& to) {
+      for (const auto& p : from) {
+        const double t = p.dot(along) ;
+        if (t < side.low + margin || t > side.high - margin) continue;
+        const Eigen::Vector2d q = p - middle;
+        const double d = q.dot(normal);
+        if (d < side.position - inwards || d > side.position + band) continue;
+        to.push_back({d, t - lowest});
+      }
+    };
+    take(evidence.inside, band, inside_);
+    take(evidence.outside, 1.25 * side.gap, outside_);
+    // ln P(found inside | the edge lies z bins further out), for z = -window .. window.
+    window_ = std::clamp(static_cast<int>(std::ceil(4.0 * sigma / step_)), 0, bins);
+    soft_.resize(static_cast<std::size_t>(2 * window_ + 1));
+    for (int z = -window_; z <= window_; ++z) {
+      const double p = sigma > 0.0 ? normal_cdf(z * step_ / sigma) : (z >= 0 ? 1.0 : 0.0);
+      soft_[static_cast<std::size_t>(z + window_)] = std::log(wrong + (1.0 - 2.0 * wrong) * p);
+    }
+  }
+
+  [[nodiscard]] double step() const { return step_; }
+  [[nodiscard]] bool informed() const { return !inside_.empty() && !outside_.empty(); }
+
+  /// `turn` [rad]: the direction against the main direction.
+  double operator()(double turn, Histogram& likelihood) const {
+    Histogram in{};
+    Histogram out{};
+    double in_far = 0.0;   // beyond the last bin: wrong for every position
+    double out_near = 0.0;
+    const double c = std::cos(turn);
+    const double s = std::sin(turn);
+    const double start = side_.position - 2.0 * side_.gap;
+    for (const auto& p : inside_) {
+      const double x = (c * p.x() + s * p.y() - start) / step_;
+      if (x >= bins) in_far += 1.0;
+      else if (x >= 0.0) in[static_cast<std::size_t>(x)] += 1.0;
+    }
+    for (const auto& p : outside_) {
+      const double x = (c * p.x() + s * p.y() - start) / step_;
+      if (x < 0.0) out_near += 1.0;
+      else if (x < bins) out[static_cast<std::size_t>(x)] += 1.0;
+    }
+    const double bad = std::log(wrong);
+    const double good = std::log(1.0 - wrong);
+    double in_total = in_far;
+    double out_total = out_near;
+    for (int k = 0; k < bins; ++k) {
+      in_total += in[static_cast<std::size_t>(k)];
+      out_total += out[static_cast<std::size_t>(k)];
+    }
+    // Counts beyond the window by running sums, inside the window one by one.
+    double greatest = -1e300;
+    Histogram prefix_in{};
+    Histogram prefix_out{};
+    double a = 0.0, b = out_near;
+    for (std::size_t k = 0; k < bins; ++k) {
+      prefix_in[k] = a += in[k];
+      prefix_out[k] = b += out[k];
+    }
+    for (int k = 0; k < bins; ++k) {
+      const int first = std::max(0, k - window_);
+      const int last = std::min(bins - 1, k + window_);
+      const double in_below = first > 0 ? prefix_in[static_cast<std::size_t>(first - 1)] : 0.0;
+      const double in_above = in_total - prefix_in[static_cast<std::size_t>(last)];
+      const double out_below = first > 0 ? prefix_out[static_cast<std::size_t>(first - 1)] : out_near;
+      const double out_above = out_total - prefix_out[static_cast<std::size_t>(last)];
+      double sum = (in_below + out_above) * good + (in_above + out_below) * bad;
+      for (int j = first; j <= last; ++j) {
+        const double i = in[static_cast<std::size_t>(j)];
+        const double o = out[static_cast<std::size_t>(j)];
+        if (i > 0.0) sum += i * soft_[static_cast<std::size_t>(k - j + window_)];
+        if (o > 0.0) sum += o * soft_[static_cast<std::size_t>(j - k + window_)];
+      }
+      likelihood[static_cast<std::size_t>(k)] = sum;
+      greatest = std::max(greatest, sum);
+    }
+    for (double& l : likelihood) l = std::exp(l - greatest);
+    return greatest;
+  }
+
+ private:
+  Side side_;
+  double step_;
+  int window_ = 0;
+  std::vector<double> soft_;
+  std::vector<Eigen::Vector2d> inside_, outside_;  ///< (across, along) from the middle
+};
+
+/// Mean and central 95 % of a distribution over bins of width `step` that begin at `start`.
+Measured summarize(const std::vector<double>& weight, double start, double step) {
+  double total = 0.0;
+  double mean = 0.0;
+  for (std::size_t i = 0; i < weight.size(); ++i) {
+    total += weight[i];
+    mean += weight[i] * (static_cast<double>(i) + 0.5);
+  }
+  const auto quantile = [&](double q) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < weight.size(); ++i) {
+      if (sum + weight[i] >= q * total && weight[i] > 0.0) {
+        return start + step * (static_cast<double>(i) + (q * total - sum) / weight[i]);
+      }
+      sum += weight[i];
+    }
+    return start + step * static_cast<double>(weight.size());
+  };
+  return {start + step * mean / total, quantile(0.025), quantile(0.975), false};
+}
+
+double variance_of(const Measured& m) {
+  const double sigma = (m.high - m.low) / (2.0 * 1.959963984540054);
+  return sigma * sigma;
+}
+
+}  // namespace
+
+RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
+  RectangleFit fit;
+  if (evidence.edges.empty()) return fit;
+  const double direction = main_direction(evidence.edges);
+  std::array<Side, 4> sides;
+  for (int k = 0; k < 4; ++k) {
+    sides[static_cast<std::size_t>(k)].turn = 0.5 * pi * k;
+    guess_side(evidence.edges, direction, sides[static_cast<std::size_t>(k)]);
+  }
+  // From the frame's origin to the middle of the first guess.
+  const Eigen::Vector2d u = unit(direction);
+  const Eigen::Vector2d v(-u.y(), u.x());
+  const Eigen::Vector2d middle =
+      0.5 * (sides[0].position - sides[2].position) * u + 0.5 * (sides[1].position - sides[3].position) * v;
+  for (Side& side : sides) side.position -= middle.dot(unit(direction + side.turn));
+  for (std::size_t k = 0; k < 4; ++k) {  // a side is as long as its neighbours are apart
+    const Eigen::Vector2d normal = unit(direction + sides[k].turn);
+    const double centre = middle.dot(Eigen::Vector2d(-normal.y(), normal.x()));
+    sides[k].low = centre - sides[(k + 3) % 4].position;
+    sides[k].high = centre + sides[(k + 1) % 4].position;
+    if (sides[k].gap <= 0.0) sides[k].gap = std::max(1e-6, 0.01 * (sides[k].high - sides[k].low));
+  }
+
+  std::vector<SideLikelihood> likelihoods;
+  for (const Side& side : sides) likelihoods.emplace_back(side, evidence.sigma, evidence, middle, direction);
+  std::array<bool, 4> known{};
+  for (std::size_t k = 0; k < 4; ++k) known[k] = !sides[k].censored && likelihoods[k].informed();
+
+  // Directions: as far as the ends of the longest known side may lie apart by its gap.
+  double reach = radians(8.0);
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (known[k]) reach = std::min(reach, 2.0 * sides[k].gap / std::max(1e-9, sides[k].high - sides[k].low));
+  }
+  struct Trial {
+    double weight;
+    std::array<Histogram, 4> side;
+  };
+  std::vector<Trial> trials(directions);
+  std::array<double, directions> log_weight{};
+  double greatest = -1e300;
+  for (int t = 0; t < directions; ++t) {
+    const double turn = reach * (2.0 * t / (directions - 1) - 1.0);
+    Trial& trial = trials[static_cast<std::size_t>(t)];
+    double sum = 0.0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      Histogram& h = trial.side[k];
+      if (known[k]) {
+        sum += likelihoods[k](turn, h);
+        double total = 0.0;
+        for (const double x : h) total += x;
+        for (double& x : h) x /= total;
+        sum += std::log(total);
+      } else {  // nothing beyond: uniform within half a gap of the outline
+        h.fill(0.0);
+        for (int b = bins / 2 - bins / 8; b < bins / 2 + bins / 8; ++b) h[static_cast<std::size_t>(b)] = 4.0 / bins;
+      }
+    }
+    log_weight[static_cast<std::size_t>(t)] = sum;
+    greatest = std::max(greatest, sum);
+  }
+  double total = 0.0;
+  double mean_turn = 0.0;
+  std::array<double, 4> mean_position{};
+  for (int t = 0; t < directions; ++t) {
+    Trial& trial = trials[static_cast<std::size_t>(t)];
+    trial.weight = std::exp(log_weight[static_cast<std::size_t>(t)] - greatest);
+    total += trial.weight;
+    mean_turn += trial.weight * reach * (2.0 * t / (directions - 1) - 1.0);
+    for (std::size_t k = 0; k < 4; ++k) {
+      for (int b = 0; b < bins; ++b) mean_position[k] += trial.weight * trial.side[k][static_cast<std::size_t>(b)] * (b + 0.5);
+    }
+  }
+  mean_turn /= total;
+  for (std::size_t k = 0; k < 4; ++k) {
+    mean_position[k] = sides[k].position - 2.0 * sides[k].gap + likelihoods[k].step() * mean_position[k] / total;
+  }
+
+  // Width along each axis: the sum of two opposite positions.
+  std::array<Measured, 2> size;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const Side& a = sides[axis];
+    const Side& b = sides[axis + 2];
+    const double step_a = likelihoods[axis].step();
+    const double step_b = likelihoods[axis + 2].step();
+    const double step = std::min(step_a, step_b);
+    const double start = a.position + b.position - 2.0 * (a.gap + b.gap);
+    std::vector<double> sum(static_cast<std::size_t>(4.0 * (a.gap + b.gap) / step) + 2, 0.0);
+    for (const Trial& trial : trials) {
+      if (trial.weight < 1e-4) continue;
+      for (std::size_t i = 0; i < bins; ++i) {
+        const double p = trial.weight * trial.side[axis][i];
+        if (p < 1e-7) continue;
+        for (std::size_t j = 0; j < bins; ++j) {
+          const double x = ((static_cast<double>(i) + 0.5) * step_a + (static_cast<double>(j) + 0.5) * step_b) / step;
+          sum[static_cast<std::size_t>(x)] += p * trial.side[axis + 2][j];
+        }
+      }
+    }
+    size[axis] = summarize(sum, start, step);
+    size[axis].value = mean_position[axis] + mean_position[axis + 2];
+    size[axis].low = std::max(0.0, size[axis].low);
+    size[axis].at_least = sides[axis].censored || sides[axis + 2].censored;
+  }
+
+  const double angle = direction + mean_turn;
+  const Eigen::Vector2d low(-mean_position[2], -mean_position[3]);
+  const Eigen::Vector2d high(mean_position[0], mean_position[1]);
+  fit.rectangle = rectangle_from_sides(angle, low, high);
+  fit.rectangle.center += middle;
+  const bool swapped = size[1].value > size[0].value;
+  fit.rectangle.length = swapped ? size[1] : size[0];
+  fit.rectangle.width = swapped ? size[0] : size[1];
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::size_t from = swapped ? (k + 1) % 4 : k;  // the frame turned by a right angle
+    fit.support[k] = sides[from].support;
+    fit.censored[k] = sides[from].censored;
+  }
+  const double area = size[0].value * size[1].value;
+  const double sigma = std::sqrt(size[1].value * size[1].value * variance_of(size[0]) + size[0].value * size[0].value * variance_of(size[1]));
+  fit.area = {area, std::max(0.0, area - 1.959963984540054 * sigma), area + 1.959963984540054 * sigma,
+              size[0].at_least || size[1].at_least};
+  return fit;
+}
+
+}  // namespace scanchor

@@ -1,0 +1,292 @@
+#include "perception/shape_default.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "perception/polygon_check.hpp"
+#include "perception/polygon_simplify.hpp"
+#include "perception/shape_common.hpp"
+
+namespace scanchor {
+namespace {
+
+constexpr std::size_t smallest_ring = 7;  ///< nodes: two samples alone have six neighbouring middles or so, three have more
+
+/// A ring of the outline at four levels of smoothing. Level 0: straightened; 1: simplified; 2: as measured.
+struct SmoothRing {
+  Ring ring;
+  std::vector<EdgeKind> kinds;
+  std::vector<double> gaps;  ///< [m] of each edge
+};
+
+SmoothRing smooth(const Outline& outline, const BoundaryRing& raw, int level) {
+  RoughRing rough;
+  const std::size_t n = raw.nodes.size();
+  for (const std::uint32_t node : raw.nodes) {
+    rough.points.push_back(outline.nodes[node].position);
+    rough.tolerance.push_back(outline.nodes[node].half_gap);
+  }
+  // The tolerance of a vertex: what is usual around it, for a lone long triangle says little.
+  std::vector<double> usual(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    std::array<double, 5> near{};
+    for (std::size_t k = 0; k < 5; ++k) near[k] = rough.tolerance[(i + n + k - 2) % n];
+    std::sort(near.begin(), near.end());
+    usual[i] = std::max(near[2], 1e-6);
+  }
+  rough.tolerance = usual;
+
+  SmoothRing result;
+  if (level >= 2) {
+    result.ring = rough.points;
+    result.kinds = raw.kinds;
+    for (const double t : rough.tolerance) result.gaps.push_back(2.0 * t);
+    return result;
+  }
+  std::vector<double> gaps = rough.tolerance;
+  // A raw outline through a lattice wavers by half a gap to either side; a tenth more leaves room for noise.
+  for (double& t : rough.tolerance) t *= 1.1;
+  const std::vector<std::uint32_t> kept = simplify(rough);
+  if (level == 0) {
+    result.ring = straighten(rough, kept);
+  } else {
+    for (const std::uint32_t i : kept) result.ring.push_back(rough.points[i]);
+  }
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const std::size_t steps = (kept[(i + 1) % kept.size()] + n - kept[i]) % n;
+    std::array<double, 4> length{};
+    double gap = 0.0;
+    for (std::size_t k = 0; k < steps; ++k) {
+      const std::size_t a = (kept[i] + k) % n;
+      length[static_cast<std::size_t>(raw.kinds[a])] += (rough.points[(a + 1) % n] - rough.points[a]).norm();
+      gap += gaps[a];
+    }
+    const auto longest = std::max_element(length.begin(), length.end());
+    result.kinds.push_back(static_cast<EdgeKind>(longest - length.begin()));
+    result.gaps.push_back(2.0 * gap / static_cast<double>(steps));
+  }
+  return result;
+}
+
+/// Share of the outer outline that is no true edge, and the total of both.
+struct OutlineShare {
+  double hidden = 0.0;
+  double total = 0.0;
+  double hidden_holes = 0.0;
+};
+
+OutlineShare hidden_share(const Outline& outline) {
+  OutlineShare share;
+  for (const BoundaryRing& ring : outline.rings) {
+    if (ring.nodes.size() < smallest_ring) continue;
+    for (std::size_t i = 0; i < ring.nodes.size(); ++i) {
+      const double length = (outline.nodes[ring.nodes[(i + 1) % ring.nodes.size()]].position - outline.nodes[ring.nodes[i]].position).norm();
+      const bool hidden = ring.kinds[i] == EdgeKind::occlusion || ring.kinds[i] == EdgeKind::view_limit;
+      if (ring.area > 0.0) {
+        share.total += length;
+        if (hidden) share.hidden += length;
+      } else if (hidden) {
+        share.hidden_holes += length;
+      }
+    }
+  }
+  return share;
+}
+
+bool on_surface(const std::vector<Polygon>& polygons, const Eigen::Vector2d& p) {
+  return std::any_of(polygons.begin(), polygons.end(), [&](const Polygon& polygon) { return contains(polygon, p); });
+}
+
+/// What the ray towards a point of the plane met: true if something nearer, so that nobody knows what is there.
+bool is_hidden(const PointCloud& cloud, const ShapeView& view, const Surface& surface, const Eigen::Vector2d& p, double gate) {
+  const Eigen::Vector3d target = surface.T_cloud_surface * Eigen::Vector3d(p.x(), p.y(), 0.0);
+  const Eigen::Vector3d direction = (target - view.sensor()).normalized();
+  const std::uint32_t cell = view.cell_of(direction);
+  double best = -2.0;
+  Eigen::Vector3d hit = Eigen::Vector3d::Zero();
+  for (const std::uint32_t i : view.points(cell)) {
+    const Eigen::Vector3d q = cloud.points[i];
+    const double cosine = direction.dot((q - view.sensor()).normalized());
+    if (cosine > best || (cosine == best && std::lexicographical_compare(q.data(), q.data() + 3, hit.data(), hit.data() + 3))) {
+      best = cosine;
+      hit = q;
+    }
+  }
+  if (best < -1.0) return true;  // no ray went there
+  const double side = surface.plane.normal.dot(view.sensor()) >= surface.plane.offset ? 1.0 : -1.0;
+  return side * (surface.plane.normal.dot(hit) - surface.plane.offset) > gate;
+}
+
+/// Share of the rectangle, as far as it could be seen, that is surface.
+double filled_share(const PointCloud& cloud, const ShapeView* view, const Surface& surface, double gate) {
+  const FittedRectangle& r = surface.rectangle;
+  const Eigen::Vector2d u(std::cos(r.angle), std::sin(r.angle));
+  const Eigen::Vector2d v(-u.y(), u.x());
+  constexpr int steps = 24;
+  int filled = 0;
+  int seen = 0;
+  for (int i = 0; i < steps; ++i) {
+    for (int j = 0; j < steps; ++j) {
+      const Eigen::Vector2d p = r.center + ((i + 0.5) / steps - 0.5) * r.length.value * u + ((j + 0.5) / steps - 0.5) * r.width.value * v;
+      if (on_surface(surface.polygons, p)) {
+        ++filled;
+        ++seen;
+      } else if (view == nullptr || !is_hidden(cloud, *view, surface, p, gate)) {
+        ++seen;
+      }
+    }
+  }
+  return seen > 0 ? static_cast<double>(filled) / seen : 0.0;
+}
+
+/// True where every vertex of the outline lies within 1.5 gaps of the rectangle's border, and the border is all true edges: then the
+/// rectangle itself is the better polygon.
+bool is_clean(const std::vector<Polygon>& polygons, const RectangleFit& fit, const std::vector<OutlineEdge>& edges, const OutlineShare& share) {
+  if (polygons.size() != 1 || !polygons.front().holes.empty() || share.total <= 0.0 || share.hidden > 0.1 * share.total) return false;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (fit.censored[k] || fit.support[k] < 0.6) return false;
+  }
+  const FittedRectangle& r = fit.rectangle;
+  const Eigen::Vector2d u(std::cos(r.angle), std::sin(r.angle));
+  const Eigen::Vector2d v(-u.y(), u.x());
+  for (const OutlineEdge& e : edges) {
+    const Eigen::Vector2d d = e.from - r.center;
+    const double inwards = std::min(0.5 * r.length.value - std::abs(d.dot(u)), 0.5 * r.width.value - std::abs(d.dot(v)));
+    if (std::abs(inwards) > 1.5 * e.gap) return false;
+  }
+  return true;
+}
+
+Polygon rectangle_polygon(const FittedRectangle& r) {
+  const Eigen::Vector2d u = 0.5 * r.length.value * Eigen::Vector2d(std::cos(r.angle), std::sin(r.angle));
+  const Eigen::Vector2d v = 0.5 * r.width.value * Eigen::Vector2d(-std::sin(r.angle), std::cos(r.angle));
+  Polygon polygon;
+  polygon.outer = {r.center - u - v, r.center + u - v, r.center + u + v, r.center - u + v};
+  polygon.outer_kind.assign(4, EdgeKind::true_edge);
+  return polygon;
+}
+
+/// [m2] area of the polygons with its interval. Along each edge the outline is off by a share of the gap that is the same as far as the
+/// samples keep their phase; we take it as constant along an edge and independent between edges (reasoning.md 2.2: spacing^2 / 12).
+Measured polygon_area(const std::vector<Polygon>& polygons, const std::vector<OutlineEdge>& edges) {
+  Measured area;
+  for (const Polygon& polygon : polygons) area.value += polygon.area();
+  double variance = 0.0;
+  for (const OutlineEdge& e : edges) variance += (e.to - e.from).squaredNorm() * e.gap * e.gap / 12.0;
+  const double half = 1.959963984540054 * std::sqrt(variance);
+  area.low = std::max(0.0, area.value - half);
+  area.high = area.value + half;
+  return area;
+}
+
+/// Points on a line or fewer than three: no outline, a rectangle without width.
+void shape_degenerate(const FlatPoints& flat, Surface& surface) {
+  surface.polygons.clear();
+  surface.rectangle = minimum_area_rectangle(flat.points);
+  surface.area = {};
+  surface.rectangularness = 0.0;
+  surface.is_rectangle = false;
+}
+
+}  // namespace
+
+std::vector<Polygon> outline_polygons(const Outline& outline, std::vector<OutlineEdge>* edges) {
+  struct Piece {
+    Polygon polygon;
+    std::vector<OutlineEdge> edges;
+    double area;
+  };
+  std::vector<Piece> pieces;
+  for (std::size_t r = 0; r < outline.rings.size(); ++r) {
+    const BoundaryRing& outer = outline.rings[r];
+    if (outer.area <= 0.0) continue;
+    if (outer.nodes.size() < smallest_ring && outline.rings.size() > 1) continue;
+    // Smoothing might make rings touch; then less of it.
+    for (int level = 0; level < 3; ++level) {
+      Piece piece;
+      SmoothRing ring = smooth(outline, outer, level);
+      piece.polygon.outer = ring.ring;
+      piece.polygon.outer_kind = ring.kinds;
+      for (std::size_t h = r + 1; h < outline.rings.size() && outline.rings[h].component == outer.component; ++h) {
+        if (outline.rings[h].area >= 0.0 || outline.rings[h].nodes.size() < smallest_ring) continue;
+        SmoothRing hole = smooth(outline, outline.rings[h], level);
+        if (ring_area(hole.ring) < 0.0) piece.polygon.holes.push_back(std::move(hole.ring));
+      }
+      if (!is_valid(piece.polygon)) {
+        // A hole that has grown into the outer ring is a notch too small to tell; without holes the ring may do.
+        if (level < 2) continue;
+        std::erase_if(piece.polygon.holes, [&](const Ring& hole) {
+          return !is_valid({piece.polygon.outer, {hole}, {}});
+        });
+        if (!is_valid(piece.polygon)) break;
+      }
+      for (std::size_t i = 0; i < ring.ring.size(); ++i) {
+        piece.edges.push_back({ring.ring[i], ring.ring[(i + 1) % ring.ring.size()], ring.kinds[i], ring.gaps[i]});
+      }
+      piece.area = piece.polygon.area();
+      pieces.push_back(std::move(piece));
+      break;
+    }
+  }
+  std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+    if (a.area != b.area) return a.area > b.area;
+    const auto& p = a.polygon.outer.front();
+    const auto& q = b.polygon.outer.front();
+    return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y();
+  });
+  std::vector<Polygon> polygons;
+  for (Piece& piece : pieces) {
+    if (edges != nullptr) edges->insert(edges->end(), piece.edges.begin(), piece.edges.end());
+    polygons.push_back(std::move(piece.polygon));
+  }
+  return polygons;
+}
+
+void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surfaces& all, Surface& surface) {
+  const FlatPoints flat = flatten(cloud, surface);
+  surface.eccentricity = ellipse_eccentricity(flat.points);
+  // 3.5 sigma: one point in two thousand of the surface's own lies farther from it.
+  const double gate = 3.5 * std::max(all.noise_sigma, surface.plane.residual_sigma) + 1e-6;
+  const OutlineSamples samples = view != nullptr ? samples_with_view(cloud, *view, all, surface, gate) : samples_without_view(flat);
+  const Outline outline = find_outline(cloud, all, surface, samples, gate);
+  RectangleEvidence evidence;
+  surface.polygons = outline_polygons(outline, &evidence.edges);
+  if (surface.polygons.empty()) {
+    shape_degenerate(flat, surface);
+    return;
+  }
+  // The points were moved along their rays, so what is left of the noise is the plane's own error, seen obliquely.
+  double slope = 0.3;  // unknown sensor: a point's noise along the plane, for a ray at 17 degrees from the normal
+  double across = surface.plane.residual_sigma;
+  if (view != nullptr) {
+    const double height = std::max(std::abs(samples.chart.sensor.z()), 1e-9);
+    slope = samples.chart.sensor.head<2>().norm() / height;
+    across = surface.plane.centroid_sigma;
+  }
+  evidence.sigma = slope * across;
+  evidence.inside = outline.inside;
+  evidence.outside = outline.beyond;
+  evidence.outside.insert(evidence.outside.end(), outline.next.begin(), outline.next.end());
+
+  const OutlineShare share = hidden_share(outline);
+  const RectangleFit fit = fit_rectangle(evidence);
+  surface.occluded_outline = share.total > 0.0 ? std::min(1.0, share.hidden / share.total) : 0.0;
+  surface.rectangle = fit.rectangle;
+  if (is_clean(surface.polygons, fit, evidence.edges, share)) {
+    surface.polygons = {rectangle_polygon(fit.rectangle)};
+    surface.area = fit.area;
+    surface.rectangularness = 1.0;
+    surface.is_rectangle = true;
+    return;
+  }
+  surface.area = polygon_area(surface.polygons, evidence.edges);
+  surface.area.at_least = share.hidden + share.hidden_holes > 0.05 * share.total;
+  surface.rectangularness = filled_share(cloud, view, surface, gate);
+  // Four sides that meet at right angles by construction: a rectangle if the surface fills it and no side was only guessed.
+  bool sides = true;
+  for (std::size_t k = 0; k < 4; ++k) sides = sides && (fit.support[k] >= 0.2 || fit.censored[k]);
+  surface.is_rectangle = sides && surface.rectangularness >= 0.9;
+}
+
+}  // namespace scanchor

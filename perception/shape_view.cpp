@@ -1,0 +1,140 @@
+#include "perception/shape_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.hpp"
+
+namespace scanchor {
+namespace {
+
+/// Face 0..5 of the cube (+x -x +y -y +z -z) that a direction passes, and where, in [-1, 1].
+struct CubePlace {
+  int face;
+  double u, v;
+};
+
+CubePlace cube_place(const Eigen::Vector3d& d) {
+  const Eigen::Vector3d a = d.cwiseAbs();
+  if (a.x() >= a.y() && a.x() >= a.z()) return {d.x() > 0 ? 0 : 1, d.y() / a.x(), d.z() / a.x()};
+  if (a.y() >= a.z()) return {d.y() > 0 ? 2 : 3, d.x() / a.y(), d.z() / a.y()};
+  return {d.z() > 0 ? 4 : 5, d.x() / a.z(), d.y() / a.z()};
+}
+
+Eigen::Vector3d cube_direction(const CubePlace& p) {
+  const double sign = p.face % 2 == 0 ? 1.0 : -1.0;
+  switch (p.face / 2) {
+    case 0: return {sign, p.u, p.v};
+    case 1: return {p.u, sign, p.v};
+    default: return {p.u, p.v, sign};
+  }
+}
+
+std::uint32_t cell_at(const CubePlace& p, int side) {
+  const int x = std::clamp(static_cast<int>((p.u + 1.0) * 0.5 * side), 0, side - 1);
+  const int y = std::clamp(static_cast<int>((p.v + 1.0) * 0.5 * side), 0, side - 1);
+  return static_cast<std::uint32_t>((p.face * side + y) * side + x);
+}
+
+/// Cells along an edge of the cube so that a cell is about two spacings wide, from the density where the median ray lies.
+int choose_side(const std::vector<std::uint32_t>& coarse, int coarse_side, std::size_t rays) {
+  std::vector<std::uint32_t> counts;
+  for (const std::uint32_t c : coarse) {
+    if (c > 0) counts.push_back(c);
+  }
+  std::sort(counts.begin(), counts.end());
+  std::size_t below = 0;
+  std::uint32_t median = 1;
+  for (const std::uint32_t c : counts) {
+    below += c;
+    median = c;
+    if (2 * below >= rays) break;
+  }
+  constexpr double spacings_per_cell = 2.2;
+  return std::clamp(static_cast<int>(coarse_side * std::sqrt(static_cast<double>(median)) / spacings_per_cell), 4, 2048);
+}
+
+}  // namespace
+
+ShapeView::ShapeView(const PointCloud& cloud, const Eigen::Vector3d& sensor, const std::vector<std::int32_t>& plane_of_point)
+    : sensor_(sensor) {
+  constexpr int coarse_side = 48;
+  constexpr std::uint32_t none = 0xffffffffU;
+  const std::size_t n = cloud.size();
+  struct Place {
+    float u, v;
+    std::uint32_t face;
+  };
+  std::vector<Place> places(n);
+  parallel_blocks(n, 16384, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Eigen::Vector3d d = cloud.points[i] - sensor;
+      if (!d.allFinite() || d.squaredNorm() == 0.0) {
+        places[i].face = none;
+        continue;
+      }
+      const CubePlace p = cube_place(d);
+      places[i] = {static_cast<float>(p.u), static_cast<float>(p.v), static_cast<std::uint32_t>(p.face)};
+    }
+  });
+  const auto cell_in = [&](std::size_t i, int side) {
+    return cell_at({static_cast<int>(places[i].face), places[i].u, places[i].v}, side);
+  };
+  std::vector<std::uint32_t> coarse(6 * coarse_side * coarse_side, 0);
+  std::size_t rays = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (places[i].face == none) continue;
+    ++coarse[cell_in(i, coarse_side)];
+    ++rays;
+  }
+  side_ = choose_side(coarse, coarse_side, rays);
+
+  const auto cells = static_cast<std::size_t>(6) * static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
+  cell_of_point_.resize(n);
+  begin_.assign(cells + 1, 0);
+  owner_.assign(cells, empty);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (places[i].face == none) {
+      cell_of_point_[i] = static_cast<std::uint32_t>(cells);
+      continue;
+    }
+    const std::uint32_t cell = cell_in(i, side_);
+    cell_of_point_[i] = cell;
+    ++begin_[cell + 1];
+    std::int32_t& owner = owner_[cell];
+    owner = owner == empty || owner == plane_of_point[i] ? plane_of_point[i] : mixed;
+  }
+  for (std::size_t c = 0; c < cells; ++c) begin_[c + 1] += begin_[c];
+  order_.resize(rays);
+  std::vector<std::uint32_t> fill(begin_.begin(), begin_.end() - 1);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (places[i].face != none) order_[fill[cell_of_point_[i]]++] = static_cast<std::uint32_t>(i);
+  }
+}
+
+std::uint32_t ShapeView::cell_of(const Eigen::Vector3d& direction) const { return cell_at(cube_place(direction), side_); }
+
+std::array<std::uint32_t, 8> ShapeView::around(std::uint32_t cell) const {
+  const int side = side_;
+  const int face = static_cast<int>(cell) / (side * side);
+  const int y = static_cast<int>(cell) / side % side;
+  const int x = static_cast<int>(cell) % side;
+  std::array<std::uint32_t, 8> result{};
+  std::size_t k = 0;
+  for (int dy = -1; dy <= 1; ++dy) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      if (dx == 0 && dy == 0) continue;
+      const int nx = x + dx;
+      const int ny = y + dy;
+      if (nx >= 0 && ny >= 0 && nx < side && ny < side) {
+        result[k++] = static_cast<std::uint32_t>((face * side + ny) * side + nx);
+      } else {  // over the edge of the cube: the middle of that cell, had the face gone on, seen from the centre
+        const CubePlace beyond{face, (nx + 0.5) * 2.0 / side - 1.0, (ny + 0.5) * 2.0 / side - 1.0};
+        result[k++] = cell_of(cube_direction(beyond));
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace scanchor
