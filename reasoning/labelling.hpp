@@ -43,6 +43,8 @@ struct Entity {
   Eigen::Vector3d size = Eigen::Vector3d::Zero();     ///< [m] of the oriented box, longest first; a surface has size.z() = 0
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< of the box, T_cloud_entity
   double area = 0.0;                      ///< [m2]
+  std::int32_t whole = -1;                ///< entity that this one is a part of (a side of a cabinet, a board of a shelf); -1: none
+  std::int32_t also = -1;                 ///< second class when ambiguous, index into `classes`; -1: none
 };
 
 struct Labelling {
@@ -53,6 +55,10 @@ struct Labelling {
   std::string ontology;                          ///< name of the file
   std::string mode;                              ///< "default" or "paper"
 };
+
+/// Entity ids that are things of their own: those that own at least one surface, rising. Parts and faces that were claimed by a
+/// whole are left out, so counting these counts things.
+std::vector<std::int32_t> things(const Labelling& labelling);
 
 /// labels.json (docs/reference/labels-format.md): {"objects": [{"id", "class", "probability", "center", "normal", "size", "points", ...}]}.
 /// `points_of_surface`: number of inliers of each surface.

@@ -1,0 +1,92 @@
+#include "reasoning/background.hpp"
+
+#include <algorithm>
+
+namespace scanchor {
+
+void apply_background(Ontology& ontology, const Background& background) {
+  ontology.fitted_on = background.fitted_on;
+  ontology.unknown_prior = background.unknown_prior;
+  ontology.temperature = background.temperature;
+  for (const auto& [name, prior] : background.priors) {
+    if (const int c = ontology.find(name); c >= 0) ontology.classes[c].prior = prior;
+  }
+  for (const auto& rate : background.rates) {
+    const int c = ontology.find(rate.class_name);
+    if (c < 0) continue;
+    for (auto& clause : ontology.classes[c].clauses) {
+      if (clause_text(clause) != rate.clause) continue;
+      clause.hit_rate = rate.hit_rate;
+      clause.background = rate.background;
+    }
+  }
+}
+
+double default_hit_rate(const Clause& clause) {
+  if (clause.usually) return 0.8;  // "usually" is taken at its word
+  switch (clause.kind) {
+    case ClauseKind::horizontal:
+    case ClauseKind::vertical:
+      return 0.99;
+    case ClauseKind::feature:
+    case ClauseKind::rectangular:
+      return 0.97;
+    default:
+      return 0.95;
+  }
+}
+
+double default_background(const Clause& clause) {
+  // reasoning.md 2.4: area 0.2, parallel to a floor 0.4, orthogonal 0.5, above 0.15, on 0.05.
+  const auto of_terms = [](const std::vector<RelationTerm>& terms) {
+    double product = 1.0;
+    for (const auto& term : terms) {
+      switch (term.relation) {
+        case Relation::parallel: product *= 0.4; break;
+        case Relation::orthogonal: product *= 0.5; break;
+        case Relation::above:
+        case Relation::below: product *= 0.15; break;
+        case Relation::on:
+        case Relation::supports:
+        case Relation::inside: product *= 0.05; break;
+        case Relation::higher:
+        case Relation::lower: product *= 0.5; break;
+        case Relation::elevation:
+        case Relation::bottom:
+        case Relation::top: product *= 0.2; break;
+        default: product *= 0.15; break;
+      }
+    }
+    return std::max(product, 0.02);
+  };
+  switch (clause.kind) {
+    case ClauseKind::feature:
+      // A one-sided clause is easier to satisfy than an interval.
+      return clause.range.has_low() && clause.range.has_high() ? 0.2 : 0.5;
+    case ClauseKind::horizontal: return 0.4;
+    case ClauseKind::vertical: return 0.5;
+    case ClauseKind::rectangular: return 0.5;
+    case ClauseKind::extremum: return 0.1;
+    case ClauseKind::relation: return of_terms(clause.relations);
+    case ClauseKind::negation: return 1.0 - of_terms(clause.relations);
+    case ClauseKind::group: return 0.02;
+  }
+  return 0.2;
+}
+
+double hit_rate_of(const Clause& clause) { return clause.hit_rate >= 0.0 ? clause.hit_rate : default_hit_rate(clause); }
+
+double background_of(const Clause& clause) {
+  return clause.background >= 0.0 ? clause.background : default_background(clause);
+}
+
+double prior_of(const Ontology& ontology, int class_index) {
+  const double counted = ontology.classes[class_index].prior;
+  if (counted >= 0.0) return counted;
+  // Half of all surfaces are of described classes, each as likely as another.
+  return 0.5 / static_cast<double>(ontology.classes.size());
+}
+
+double unknown_prior_of(const Ontology& ontology) { return ontology.unknown_prior > 0.0 ? ontology.unknown_prior : 0.5; }
+
+}  // namespace scanchor

@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "reasoning/relation.hpp"
+
+namespace scanchor {
+
+namespace {
+
+using Quad = std::array<Eigen::Vector3d, 4>;
+
+Quad corners(const Item& item) {
+  const Eigen::Vector3d u = item.along * item.half_length;
+  const Eigen::Vector3d v = item.across * item.half_width;
+  return {item.center - u - v, item.center + u - v, item.center + u + v, item.center - u + v};
+}
+
+/// Squared distance of two segments; Ericson, Real-Time Collision Detection, 5.1.9.
+double segment_segment(const Eigen::Vector3d& p1, const Eigen::Vector3d& q1, const Eigen::Vector3d& p2,
+                       const Eigen::Vector3d& q2) {
+  const Eigen::Vector3d d1 = q1 - p1;
+  const Eigen::Vector3d d2 = q2 - p2;
+  const Eigen::Vector3d r = p1 - p2;
+  const double a = d1.squaredNorm();
+  const double e = d2.squaredNorm();
+  const double f = d2.dot(r);
+  double s = 0.0;
+  double t = 0.0;
+  if (a <= 1e-18 && e <= 1e-18) return r.squaredNorm();
+  if (a <= 1e-18) {
+    t = std::clamp(f / e, 0.0, 1.0);
+  } else {
+    const double c = d1.dot(r);
+    if (e <= 1e-18) {
+      s = std::clamp(-c / a, 0.0, 1.0);
+    } else {
+      const double b = d1.dot(d2);
+      const double denominator = a * e - b * b;
+      if (denominator > 1e-18) s = std::clamp((b * f - c * e) / denominator, 0.0, 1.0);
+      t = (b * s + f) / e;
+      if (t < 0.0 || t > 1.0) {
+        t = std::clamp(t, 0.0, 1.0);
+        s = std::clamp((b * t - c) / a, 0.0, 1.0);
+      }
+    }
+  }
+  return (p1 + d1 * s - p2 - d2 * t).squaredNorm();
+}
+
+/// Distance of a point to the rectangle where it projects into it, squared; infinite elsewhere (edges answer for that).
+double point_face(const Eigen::Vector3d& p, const Item& face) {
+  const Eigen::Vector3d d = p - face.center;
+  if (std::abs(d.dot(face.along)) > face.half_length || std::abs(d.dot(face.across)) > face.half_width) return INFINITY;
+  const Eigen::Vector3d n = face.along.cross(face.across);
+  return n.dot(d) * n.dot(d);
+}
+
+/// True if the segment runs through the rectangle.
+bool pierces(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Item& face) {
+  const Eigen::Vector3d n = face.along.cross(face.across);
+  const double a = n.dot(p - face.center);
+  const double b = n.dot(q - face.center);
+  if (a * b > 0.0 || a == b) return false;
+  const Eigen::Vector3d d = p + (q - p) * (a / (a - b)) - face.center;
+  return std::abs(d.dot(face.along)) <= face.half_length && std::abs(d.dot(face.across)) <= face.half_width;
+}
+
+double rectangles(const Item& a, const Item& b) {
+  const Quad ca = corners(a);
+  const Quad cb = corners(b);
+  double best = INFINITY;
+  for (int i = 0; i < 4; ++i) {
+    best = std::min({best, point_face(ca[i], b), point_face(cb[i], a)});
+    if (pierces(ca[i], ca[(i + 1) % 4], b) || pierces(cb[i], cb[(i + 1) % 4], a)) return 0.0;
+    for (int j = 0; j < 4; ++j) {
+      best = std::min(best, segment_segment(ca[i], ca[(i + 1) % 4], cb[j], cb[(j + 1) % 4]));
+    }
+  }
+  return std::sqrt(best);
+}
+
+using Polygon2 = std::array<Eigen::Vector2d, 12>;
+
+std::array<Eigen::Vector2d, 4> footprint_corners(const Footprint& f) {
+  std::array<Eigen::Vector2d, 4> c = {f.center - f.u - f.v, f.center + f.u - f.v, f.center + f.u + f.v,
+                                      f.center - f.u + f.v};
+  if (f.u.x() * f.v.y() - f.u.y() * f.v.x() < 0.0) std::swap(c[1], c[3]);  // counter-clockwise
+  return c;
+}
+
+double footprint_gap(const Footprint& a, const Footprint& b) {
+  if (footprint_overlap(a, b) > 0.0) return 0.0;
+  const auto ca = footprint_corners(a);
+  const auto cb = footprint_corners(b);
+  const auto lift = [](const Eigen::Vector2d& p) { return Eigen::Vector3d(p.x(), p.y(), 0.0); };
+  double best = INFINITY;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      best = std::min(best, segment_segment(lift(ca[i]), lift(ca[(i + 1) % 4]), lift(cb[j]), lift(cb[(j + 1) % 4])));
+    }
+  }
+  return std::sqrt(best);
+}
+
+}  // namespace
+
+double gap_distance(const Item& a, const Item& b) {
+  if (!a.group && !b.group) return rectangles(a, b);
+  const double flat = footprint_gap(a.footprint, b.footprint);
+  const double heights = std::max({0.0, a.z_low - b.z_high, b.z_low - a.z_high});
+  return std::hypot(flat, heights);
+}
+
+double footprint_overlap(const Footprint& a, const Footprint& b) {
+  const double reach = a.u.norm() + a.v.norm() + b.u.norm() + b.v.norm();
+  if ((a.center - b.center).squaredNorm() > reach * reach) return 0.0;
+  // Sutherland-Hodgman: the footprint of a is cut by the four sides of b.
+  const auto ca = footprint_corners(a);
+  const auto cb = footprint_corners(b);
+  Polygon2 polygon;
+  Polygon2 next;
+  int count = 4;
+  std::copy(ca.begin(), ca.end(), polygon.begin());
+  for (int side = 0; side < 4 && count > 0; ++side) {
+    const Eigen::Vector2d p = cb[side];
+    const Eigen::Vector2d d = cb[(side + 1) % 4] - p;
+    const auto inside = [&](const Eigen::Vector2d& q) { return d.x() * (q.y() - p.y()) - d.y() * (q.x() - p.x()); };
+    int kept = 0;
+    double here = inside(polygon[0]);
+    for (int i = 0; i < count; ++i) {
+      const Eigen::Vector2d& from = polygon[i];
+      const Eigen::Vector2d& to = polygon[(i + 1) % count];
+      const double there = inside(to);
+      if (here >= 0.0) next[kept++] = from;
+      if ((here >= 0.0) != (there >= 0.0)) next[kept++] = from + (to - from) * (here / (here - there));
+      here = there;
+    }
+    count = kept;
+    polygon = next;
+  }
+  double twice = 0.0;
+  for (int i = 0; i < count; ++i) {
+    const auto& p = polygon[i];
+    const auto& q = polygon[(i + 1) % count];
+    twice += p.x() * q.y() - p.y() * q.x();
+  }
+  const double smaller = std::min(a.area(), b.area());
+  return smaller > 0.0 ? std::clamp(0.5 * twice / smaller, 0.0, 1.0) : 0.0;
+}
+
+}  // namespace scanchor

@@ -1,0 +1,177 @@
+#include "reasoning/item.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scanchor {
+
+namespace {
+
+constexpr double footprint_margin = 0.025;  // [m] two of them make the 5 cm by which reasoning.md 2.3 widens
+
+Footprint make_footprint(const Eigen::Vector3d& center, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  Footprint foot;
+  foot.center = center.head<2>();
+  Eigen::Vector2d u = a.head<2>();
+  Eigen::Vector2d v = b.head<2>();
+  if (u.squaredNorm() < v.squaredNorm()) std::swap(u, v);
+  const Eigen::Vector2d direction = u.norm() > 1e-6 ? Eigen::Vector2d(u.normalized()) : Eigen::Vector2d::UnitX();
+  const Eigen::Vector2d side(-direction.y(), direction.x());
+  // A side that is nearly in the direction of the other one adds to its length; what is left is the thickness.
+  const double thickness = std::abs(side.dot(v));
+  foot.u = direction * (u.norm() + footprint_margin);
+  if (thickness < footprint_margin) {
+    foot.u += direction * std::abs(direction.dot(v));
+    foot.v = side * (thickness + footprint_margin);
+  } else {
+    foot.v = v * ((thickness + footprint_margin) / thickness);
+  }
+  return foot;
+}
+
+Quantity quantity(const Measured& measured, double fallback_sigma, double hidden) {
+  Quantity q;
+  q.value = measured.value;
+  // A 95 % interval is 2 x 1.96 standard deviations wide.
+  q.sigma = std::max((measured.high - measured.low) / 3.92, 0.0);
+  if (q.sigma <= 0.0) q.sigma = fallback_sigma;
+  q.hidden = measured.at_least ? hidden : 0.0;
+  return q;
+}
+
+void finish(Item& item) {
+  item.footprint = make_footprint(item.center, item.along * item.half_length, item.across * item.half_width);
+}
+
+}  // namespace
+
+double Footprint::area() const { return 4.0 * std::abs(u.x() * v.y() - u.y() * v.x()); }
+
+Eigen::Matrix3d levelling(const Eigen::Vector3d& up) {
+  return Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+}
+
+std::vector<Item> make_items(const Surfaces& surfaces, const Eigen::Matrix3d& R) {
+  std::vector<Item> items;
+  items.reserve(surfaces.surfaces.size());
+  for (const auto& surface : surfaces.surfaces) {
+    Item item;
+    item.id = static_cast<std::int32_t>(items.size());
+    const auto& plane = surface.plane;
+    const auto& rectangle = surface.rectangle;
+    item.normal = R * plane.normal;
+    item.normal_covariance = R * plane.normal_covariance * R.transpose();
+    item.tilt_sigma = std::sqrt(std::max(0.0, 0.5 * item.normal_covariance.trace()));
+    item.offset_sigma = plane.centroid_sigma;
+    item.centroid = R * plane.centroid;
+    const double hidden = std::clamp(surface.occluded_outline, 0.05, 0.95);
+    const double edge = std::max(0.005, 0.5 * surfaces.point_spacing);
+    item.extension = quantity(rectangle.length, edge, hidden);
+    item.width = quantity(rectangle.width, edge, hidden);
+    item.area = quantity(surface.area, edge * (rectangle.length.value + rectangle.width.value), hidden);
+    item.has_shape = rectangle.length.value > 0.0 && surface.area.value > 0.0;
+    item.rectangularness.value = surface.rectangularness;
+    // Of the ratio of two areas that share their outline: half of the area's relative deviation remains.
+    item.rectangularness.sigma = item.has_shape ? 0.5 * item.area.sigma / item.area.value : 1.0;
+    item.rectangularness.hidden = item.area.hidden;
+    const double c = std::cos(rectangle.angle);
+    const double s = std::sin(rectangle.angle);
+    const Eigen::Matrix3d axes = R * surface.T_cloud_surface.linear();
+    item.along = axes * Eigen::Vector3d(c, s, 0.0);
+    item.across = axes * Eigen::Vector3d(-s, c, 0.0);
+    item.center = R * (surface.T_cloud_surface * Eigen::Vector3d(rectangle.center.x(), rectangle.center.y(), 0.0));
+    item.half_length = 0.5 * rectangle.length.value;
+    item.half_width = 0.5 * rectangle.width.value;
+    // The lower and upper end come from the outline itself where it is known: a rectangle on its corner would overstate them.
+    for (const auto& polygon : surface.polygons) {
+      for (const auto& p : polygon.outer) {
+        item.box.extend(R * (surface.T_cloud_surface * Eigen::Vector3d(p.x(), p.y(), 0.0)));
+      }
+    }
+    if (item.box.isEmpty()) {
+      for (const double a : {-1.0, 1.0}) {
+        for (const double b : {-1.0, 1.0}) {
+          item.box.extend(item.center + a * item.half_length * item.along + b * item.half_width * item.across);
+        }
+      }
+    }
+    item.z_low = item.box.min().z();
+    item.z_high = item.box.max().z();
+    item.z = item.center.z();
+    const double lean = std::sqrt(std::max(0.0, 1.0 - item.normal.z() * item.normal.z()));
+    item.z_sigma = std::hypot(item.offset_sigma, lean * std::max(item.extension.sigma, item.width.sigma));
+    item.height = {item.z_high - item.z_low, std::max(item.z_sigma, 0.5 * edge),
+                   item.extension.hidden > 0.0 || item.width.hidden > 0.0 ? hidden : 0.0};
+    finish(item);
+    items.push_back(std::move(item));
+  }
+  return items;
+}
+
+Item make_group(const std::vector<Item>& items, std::vector<std::int32_t> members, std::int32_t id) {
+  std::sort(members.begin(), members.end(), [&](std::int32_t a, std::int32_t b) {
+    return items[a].z != items[b].z ? items[a].z < items[b].z : a < b;
+  });
+  const std::int32_t main = *std::max_element(members.begin(), members.end(), [&](std::int32_t a, std::int32_t b) {
+    return items[a].area.value != items[b].area.value ? items[a].area.value < items[b].area.value : a > b;
+  });
+  Item group;
+  group.id = id;
+  group.group = true;
+  group.normal = items[main].normal;
+  group.normal_covariance = items[main].normal_covariance;
+  group.tilt_sigma = items[main].tilt_sigma;
+  // Sides of the box: the horizontal direction of the main member's longer side, and the one across.
+  Eigen::Vector3d along = items[main].along;
+  along.z() = 0.0;
+  if (along.norm() < 0.3) along = Eigen::Vector3d::UnitX();
+  along.normalize();
+  const Eigen::Vector3d across(-along.y(), along.x(), 0.0);
+  double low_a = 1e300, high_a = -1e300, low_b = 1e300, high_b = -1e300;
+  for (const auto m : members) {
+    const auto& item = items[m];
+    group.box.extend(item.box);
+    for (const double a : {-1.0, 1.0}) {
+      for (const double b : {-1.0, 1.0}) {
+        const Eigen::Vector3d corner =
+            item.center + a * item.half_length * item.along + b * item.half_width * item.across;
+        low_a = std::min(low_a, along.dot(corner));
+        high_a = std::max(high_a, along.dot(corner));
+        low_b = std::min(low_b, across.dot(corner));
+        high_b = std::max(high_b, across.dot(corner));
+      }
+    }
+    group.area.value += item.area.value;
+    group.area.sigma = std::hypot(group.area.sigma, item.area.sigma);
+    group.area.hidden = std::max(group.area.hidden, item.area.hidden);
+    group.extension.sigma = std::max(group.extension.sigma, item.extension.sigma);
+    group.width.sigma = std::max(group.width.sigma, item.width.sigma);
+    group.extension.hidden = std::max(group.extension.hidden, item.extension.hidden);
+    group.width.hidden = std::max(group.width.hidden, item.width.hidden);
+    group.offset_sigma = std::max(group.offset_sigma, item.offset_sigma);
+    group.z_sigma = std::max(group.z_sigma, item.z_sigma);
+    group.has_shape = group.has_shape && item.has_shape;
+  }
+  group.z_low = group.box.min().z();
+  group.z_high = group.box.max().z();
+  group.z = 0.5 * (group.z_low + group.z_high);
+  group.center = along * (0.5 * (low_a + high_a)) + across * (0.5 * (low_b + high_b)) + Eigen::Vector3d::UnitZ() * group.z;
+  group.centroid = group.center;
+  group.along = along;
+  group.across = across;
+  group.half_length = 0.5 * (high_a - low_a);
+  group.half_width = 0.5 * (high_b - low_b);
+  if (group.half_length < group.half_width) {
+    std::swap(group.half_length, group.half_width);
+    std::swap(group.along, group.across);
+  }
+  group.extension.value = 2.0 * group.half_length;
+  group.width.value = 2.0 * group.half_width;
+  group.height = {group.z_high - group.z_low, std::max(group.z_sigma, 0.005), group.width.hidden};
+  group.rectangularness = {1.0, 0.0, 0.0};
+  group.members = std::move(members);
+  finish(group);
+  return group;
+}
+
+}  // namespace scanchor

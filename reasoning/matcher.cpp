@@ -1,0 +1,319 @@
+#include "reasoning/matcher.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reasoning/background.hpp"
+#include "reasoning/groups.hpp"
+#include "reasoning/likelihood.hpp"
+
+namespace scanchor {
+
+namespace {
+
+constexpr double extremum_tolerance = 0.10;  // [m] S18: within 10 cm of the 1st percentile
+constexpr double extremum_share = 0.01;
+
+/// Height below which the given share of the observed area lies.
+double area_percentile(const std::vector<Item>& items, double share) {
+  double total = 0.0;
+  double low = INFINITY;
+  double high = -INFINITY;
+  for (const auto& item : items) {
+    if (!item.has_shape) continue;
+    total += item.area.value;
+    low = std::min(low, item.z_low);
+    high = std::max(high, item.z_high);
+  }
+  if (total <= 0.0) return 0.0;
+  for (int step = 0; step < 40; ++step) {
+    const double z = 0.5 * (low + high);
+    double below = 0.0;
+    for (const auto& item : items) {
+      if (!item.has_shape) continue;
+      const double length = std::max(item.z_high - item.z_low, 1e-6);
+      below += item.area.value * std::clamp((z - item.z_low) / length, 0.0, 1.0);
+    }
+    (below < share * total ? low : high) = z;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+double log_likelihood_ratio(double value, double hit_rate, double background) {
+  const double for_class = value * hit_rate + (1.0 - value) * (1.0 - hit_rate);
+  const double for_other = value * background + (1.0 - value) * (1.0 - background);
+  return std::log(for_class / for_other);
+}
+
+Matcher::Matcher(const Ontology& ontology, std::vector<Item> items, const Surrounding& around)
+    : ontology_(ontology), items_(std::move(items)), around_(around), surface_count_(items_.size()) {
+  const std::size_t count = ontology.classes.size();
+  clauses_.resize(count);
+  group_clause_.assign(count, -1);
+  candidates_.resize(count);
+  targets_.resize(count);
+  for (std::size_t c = 0; c < count; ++c) {
+    clauses_[c] = all_clauses(ontology, static_cast<int>(c));
+    for (std::size_t i = 0; i < clauses_[c].size(); ++i) {
+      if (clauses_[c][i].kind == ClauseKind::group) group_clause_[c] = static_cast<int>(i);
+    }
+  }
+  for (const auto& item : items_) {
+    horizontal_.push_back(horizontal(item, around_));
+    vertical_.push_back(vertical(item, around_));
+    rectangular_.push_back(rectangular(item));
+  }
+  group_value_.assign(items_.size(), 0.0);
+  low_level_ = area_percentile(items_, extremum_share);
+  high_level_ = area_percentile(items_, 1.0 - extremum_share);
+  double total = 0.0;
+  for (const auto& item : items_) {
+    if (!item.has_shape) continue;
+    middle_ += item.center * item.area.value;
+    total += item.area.value;
+    largest_.push_back(item.id);
+  }
+  if (total > 0.0) middle_ /= total;
+  std::sort(largest_.begin(), largest_.end(), [&](std::int32_t a, std::int32_t b) {
+    return items_[a].area.value != items_[b].area.value ? items_[a].area.value > items_[b].area.value : a < b;
+  });
+  if (largest_.size() > 256) largest_.resize(256);
+}
+
+double Matcher::belief(int class_index, std::int32_t item) const {
+  const auto& list = candidates_[class_index];
+  const auto at = std::lower_bound(list.begin(), list.end(), item,
+                                   [](const Candidate& c, std::int32_t id) { return c.item < id; });
+  return at != list.end() && at->item == item ? at->belief : 0.0;
+}
+
+double Matcher::outside_share(std::int32_t id) const {
+  const Item& a = items_[id];
+  Eigen::Vector3d inwards = a.normal;
+  if (inwards.dot(middle_ - a.center) < 0.0) inwards = -inwards;
+  double behind = 0.0;
+  double total = 0.0;
+  for (const auto other : largest_) {
+    const Item& b = items_[other];
+    const double d = inwards.dot(b.center - a.center);
+    const double half = std::abs(inwards.dot(b.along)) * b.half_length + std::abs(inwards.dot(b.across)) * b.half_width;
+    const double reach = std::max(half, 1e-3);
+    behind += b.area.value * std::clamp((-extremum_tolerance - (d - reach)) / (2.0 * reach), 0.0, 1.0);
+    total += b.area.value;
+  }
+  return total > 0.0 ? behind / total : 0.0;
+}
+
+ClauseValue Matcher::evaluate_unary(const Clause& clause, std::int32_t id) const {
+  const Item& item = items_[id];
+  Evidence evidence;
+  switch (clause.kind) {
+    case ClauseKind::feature: evidence = feature(clause.feature, clause.range, item); break;
+    case ClauseKind::horizontal:
+      evidence = clause.range.has_high() ? horizontal(item, around_, clause.range.high)
+                 : item.group            ? horizontal(item, around_)
+                                         : horizontal_[id];
+      break;
+    case ClauseKind::vertical:
+      evidence = clause.range.has_high() ? vertical(item, around_, clause.range.high)
+                 : item.group            ? vertical(item, around_)
+                                         : vertical_[id];
+      break;
+    case ClauseKind::rectangular: evidence = item.group ? rectangular(item) : rectangular_[id]; break;
+    case ClauseKind::group: evidence = {group_value_[id], static_cast<double>(item.members.size()), 0.0, "1"}; break;
+    case ClauseKind::extremum: {
+      if (!item.has_shape) break;
+      const double reach = (item.center - middle_).head<2>().norm();
+      const double sigma = std::hypot(item.z_sigma, around_.up_sigma * reach);
+      const double s = std::hypot(sigma, 0.02);
+      if (clause.extremum == Extremum::lowest) {
+        const double over = item.z - low_level_;
+        evidence = {upper_likelihood(over, extremum_tolerance, s), over, sigma, "m"};
+      } else if (clause.extremum == Extremum::highest) {
+        const double under = high_level_ - item.z;
+        evidence = {upper_likelihood(under, extremum_tolerance, s), under, sigma, "m"};
+      } else if (clause.extremum == Extremum::outermost) {
+        const double share = outside_share(id);
+        evidence = {upper_likelihood(share, 0.02, 0.01), share, 0.0, "1"};
+      }
+      break;
+    }
+    default: break;
+  }
+  ClauseValue result;
+  result.value = evidence.likelihood;
+  result.evidence = evidence;
+  return result;
+}
+
+ClauseValue Matcher::evaluate_relation(const Clause& clause, std::int32_t id) const {
+  const Item& a = items_[id];
+  const int target_class = ontology_.find(clause.target);
+  ClauseValue best;
+  double none = 1.0;  // P(no target satisfies it), for negation
+  double best_distance = INFINITY;
+  for (const auto& target : targets_[target_class]) {
+    if (clause.kind == ClauseKind::relation && target.belief < best.value) break;  // no later one can be better
+    const Item& b = items_[target.item];
+    if (target.item == id || std::find(b.members.begin(), b.members.end(), id) != b.members.end() ||
+        std::find(a.members.begin(), a.members.end(), target.item) != a.members.end()) {
+      continue;
+    }
+    double product = 1.0;
+    Evidence weakest;
+    for (std::size_t i = 0; i < clause.relations.size(); ++i) {
+      const Evidence evidence = relate(clause.relations[i], a, b, around_);
+      if (i == 0 || evidence.likelihood < weakest.likelihood) weakest = evidence;
+      product *= evidence.likelihood;
+      if (clause.kind == ClauseKind::relation && target.belief * product < best.value) break;
+    }
+    none *= 1.0 - target.belief * product;
+    const double value = target.belief * product;
+    const double distance = (a.center - b.center).squaredNorm();
+    // Of equally good targets the nearest is named.
+    if (best.target < 0 || value > best.value || (value == best.value && distance < best_distance)) {
+      best.value = value;
+      best.evidence = weakest;
+      best.target = target.item;
+      best_distance = distance;
+    }
+  }
+  if (clause.kind == ClauseKind::negation) {
+    // Where the entity was not seen whole, something may be there unseen: neither yes nor no (reasoning.md 2.7).
+    const double seen = 1.0 - a.area.hidden;
+    best.value = seen * none + (1.0 - seen) * 0.5;
+  }
+  return best;
+}
+
+ClauseValue Matcher::evaluate_largest(int class_index, std::int32_t id) const {
+  // P(no rival is larger); rivals weigh as much as they are believed to be of the class (five best, reasoning.md 2.3).
+  const Item& a = items_[id];
+  ClauseValue result;
+  double value = 1.0;
+  int rivals = 0;
+  for (const auto& target : targets_[class_index]) {
+    if (target.item == id) continue;
+    const Item& b = items_[target.item];
+    const double s = std::hypot(a.area.sigma, b.area.sigma);
+    value *= 1.0 - target.belief * lower_likelihood(b.area.value, a.area.value, std::max(s, 1e-9));
+    if (++rivals == 5) break;
+  }
+  result.value = value;
+  result.evidence = {value, a.area.value, a.area.sigma, "m2"};
+  return result;
+}
+
+ClauseValue Matcher::evaluate(int class_index, const Clause& clause, std::int32_t item) const {
+  if (clause.kind == ClauseKind::relation || clause.kind == ClauseKind::negation) return evaluate_relation(clause, item);
+  if (clause.kind == ClauseKind::extremum && clause.extremum == Extremum::largest) {
+    return evaluate_largest(class_index, item);
+  }
+  ClauseValue value = evaluate_unary(clause, item);
+  if (clause.kind == ClauseKind::group) value.members = items_[item].members;
+  return value;
+}
+
+std::vector<std::int32_t> Matcher::find_groups(const Clause& clause) {
+  std::vector<Member> pool;
+  for (const auto& target : targets_[ontology_.find(clause.target)]) {
+    if (!items_[target.item].group) pool.push_back({target.item, target.fit});
+  }
+  std::vector<std::int32_t> ids;
+  for (auto& group : build_groups(items_, pool, clause, around_)) {
+    Item item = make_group(items_, std::move(group.members), static_cast<std::int32_t>(items_.size()));
+    ids.push_back(item.id);
+    items_.push_back(std::move(item));
+    group_value_.push_back(group.probability);
+  }
+  return ids;
+}
+
+void Matcher::evaluate_class(int class_index) {
+  const auto& clauses = clauses_[class_index];
+  std::vector<std::int32_t> pool;
+  if (group_clause_[class_index] >= 0) {
+    pool = find_groups(clauses[group_clause_[class_index]]);
+  } else {
+    for (std::size_t i = 0; i < surface_count_; ++i) pool.push_back(static_cast<std::int32_t>(i));
+  }
+  auto& list = candidates_[class_index];
+  const double prior = std::log(prior_of(ontology_, class_index));
+  bool needs_rivals = false;
+  for (const auto id : pool) {
+    Candidate candidate;
+    candidate.item = id;
+    candidate.score = prior;
+    bool possible = true;
+    // Own features first: they are cheap and rule most out.
+    for (const bool relational : {false, true}) {
+      for (const auto& clause : clauses) {
+        const bool is_relation = clause.kind == ClauseKind::relation || clause.kind == ClauseKind::negation;
+        if (clause.usually || is_relation != relational) continue;
+        if (clause.kind == ClauseKind::extremum && clause.extremum == Extremum::largest) {
+          needs_rivals = true;
+          continue;
+        }
+        const double value = is_relation ? evaluate_relation(clause, id).value : evaluate_unary(clause, id).value;
+        if (value < required_gate) {
+          possible = false;
+          break;
+        }
+        candidate.fit *= value;
+        candidate.score += ontology_.temperature * clause.weight *
+                           log_likelihood_ratio(value, hit_rate_of(clause), background_of(clause));
+      }
+      if (!possible) break;
+    }
+    if (possible) list.push_back(candidate);
+  }
+  publish(class_index);
+  if (!needs_rivals) return;
+  std::vector<double> values;
+  for (const auto& candidate : list) values.push_back(evaluate_largest(class_index, candidate.item).value);
+  std::vector<Candidate> kept;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    for (const auto& clause : clauses) {
+      if (clause.usually || clause.kind != ClauseKind::extremum || clause.extremum != Extremum::largest) continue;
+      list[i].score += ontology_.temperature * clause.weight *
+                       log_likelihood_ratio(values[i], hit_rate_of(clause), background_of(clause));
+    }
+    if (values[i] >= required_gate) kept.push_back(list[i]);
+  }
+  list = kept;
+  publish(class_index);
+}
+
+void Matcher::publish(int class_index) {
+  const double unknown = std::log(unknown_prior_of(ontology_));
+  auto& targets = targets_[class_index];
+  targets.clear();
+  for (auto& candidate : candidates_[class_index]) {
+    candidate.belief = 1.0 / (1.0 + std::exp(unknown - candidate.score));
+    targets.push_back({candidate.belief, candidate.item, candidate.fit});
+  }
+  std::sort(targets.begin(), targets.end(), [](const Target& a, const Target& b) {
+    return a.belief != b.belief ? a.belief > b.belief : a.item < b.item;
+  });
+}
+
+void Matcher::evaluate_context(int class_index) {
+  for (const auto& clause : clauses_[class_index]) {
+    if (!clause.usually) continue;
+    for (auto& candidate : candidates_[class_index]) {
+      const double value = evaluate(class_index, clause, candidate.item).value;
+      candidate.score += ontology_.temperature * clause.weight *
+                         log_likelihood_ratio(value, hit_rate_of(clause), background_of(clause));
+    }
+  }
+}
+
+void Matcher::run() {
+  for (const int c : evaluation_order(ontology_)) evaluate_class(c);
+  // Context looks at the beliefs of the first pass only: no support of oneself, and the order of classes does not matter.
+  for (std::size_t c = 0; c < clauses_.size(); ++c) evaluate_context(static_cast<int>(c));
+}
+
+}  // namespace scanchor

@@ -1,0 +1,50 @@
+#include "reasoning/reason.hpp"
+
+#include "core/error.hpp"
+#include "core/math.hpp"
+#include "reasoning/assign.hpp"
+#include "reasoning/item.hpp"
+#include "reasoning/matcher.hpp"
+#include "reasoning/paper_mode.hpp"
+#include "reasoning/up.hpp"
+
+namespace scanchor {
+
+void ReasonOptions::describe(OptionList& list) {
+  list.add("mode", mode, "likelihood ratios, or the paper's disparity and product chain", {"default", "paper"});
+  list.add("up", up, "direction against gravity \"x,y,z\" in the cloud's frame, or \"auto\"");
+  list.add("up_sigma_deg", up_sigma_deg, "deg", "standard deviation of the given up direction", 0.0, 30.0);
+  list.add("report_probability", report_probability, "1", "a class is reported from here on", 0.0, 1.0);
+  list.add("ambiguity_margin", ambiguity_margin, "1", "two classes nearer than that are ambiguous", 0.0, 1.0);
+}
+
+Labelling reason(const Surfaces& surfaces, const Ontology& ontology, const ReasonOptions& options) {
+  if (options.mode != "default" && options.mode != "paper") {
+    fail_usage("unknown mode of reasoning '" + options.mode + "'", "known are: default, paper");
+  }
+  for (std::size_t i = 0; i < surfaces.surfaces.size(); ++i) {
+    const auto& surface = surfaces.surfaces[i];
+    const bool finite = surface.plane.normal.allFinite() && surface.plane.centroid.allFinite() &&
+                        surface.plane.normal.norm() > 0.5;
+    if (!finite) fail_data("surfaces", "surface " + std::to_string(i), "its plane is not finite");
+  }
+  const UpDirection up = find_up(surfaces, options.up, radians(options.up_sigma_deg));
+  if (options.mode == "paper") return reason_as_paper(surfaces, ontology, options, up);
+
+  Labelling labelling;
+  labelling.mode = options.mode;
+  labelling.ontology = ontology.name;
+  labelling.up = up.up;
+  labelling.up_sigma = up.sigma;
+  const Eigen::Matrix3d R_level_cloud = levelling(up.up);
+  Surrounding around;
+  around.up_sigma = up.sigma;
+  if (!surfaces.sensor_positions.empty()) around.viewpoint = R_level_cloud * surfaces.sensor_positions.front();
+
+  Matcher matcher(ontology, make_items(surfaces, R_level_cloud), around);
+  matcher.run();
+  assign_labels(matcher, surfaces, ontology, options, R_level_cloud.transpose(), up.upright, labelling);
+  return labelling;
+}
+
+}  // namespace scanchor
