@@ -1,7 +1,5 @@
 #include "eval/score.hpp"
 
-#include <algorithm>
-
 #include "core/json.hpp"
 
 namespace scanchor {
@@ -9,204 +7,267 @@ namespace {
 
 constexpr int schema = 1;
 
-// FixedSum lies on a grid of 2^-36: as a double it is exact up to 2^17, and reads back to the same sum.
-double out(const FixedSum& sum) { return sum.value(); }
-FixedSum sum_in(const JsonReader& reader) {
-  FixedSum sum;
-  sum.add(reader.number_in(-6e7, 6e7));
-  return sum;
-}
+// One declaration of the counts of a struct serves both directions.
+struct Field {
+  const char* name;
+  std::int64_t* count = nullptr;
+  FixedSum* sum = nullptr;
+  Field(const char* n, std::int64_t& c) : name(n), count(&c) {}
+  Field(const char* n, FixedSum& s) : name(n), sum(&s) {}
+};
+using Fields = std::vector<Field>;
+
 std::int64_t count_in(const JsonReader& reader) {
   const std::int64_t value = reader.integer();
   if (value < 0) reader.fail("must not be below 0");
   return value;
 }
-
-Json planes_out(const PlaneScore& p, const Protocol& protocol) {
-  Json hoover = Json::array();
-  for (std::size_t i = 0; i < p.hoover.size(); ++i) {
-    const auto& h = p.hoover[i];
-    hoover.push_back({{"tolerance", protocol.plane_tolerances[i]}, {"correct", h.correct}, {"truth_over", h.truth_over},
-                      {"regions_over", h.regions_over}, {"truth_under", h.truth_under}, {"regions_under", h.regions_under},
-                      {"missed", h.missed}, {"noise", h.noise}});
-  }
-  return {{"hoover", hoover}, {"scans", p.scans}, {"truths", p.truths}, {"regions", p.regions}, {"truth_points", p.truth_points},
-          {"region_points", p.region_points}, {"paired_points", p.paired_points}, {"small_truths", p.small_truths},
-          {"small_recall_sum", out(p.small_recall)}, {"pairs", p.pairs}, {"pairs_agree", p.pairs_agree},
-          {"adjusted_rand_sum", out(p.adjusted_rand)}};
+// FixedSum lies on a grid of 2^-36: as a double it is exact up to 2^17, and reads back to the same sum.
+FixedSum sum_in(const JsonReader& reader) {
+  FixedSum sum;
+  sum.add(reader.number_in(-6e7, 6e7));
+  return sum;
 }
 
-PlaneScore planes_in(const JsonReader& r) {
-  PlaneScore p;
-  const auto hoover = r.at("hoover");
-  for (std::size_t i = 0; i < hoover.size(); ++i) {
-    const auto h = hoover.at(i);
-    p.hoover.push_back({count_in(h.at("correct")), count_in(h.at("truth_over")), count_in(h.at("regions_over")),
-                        count_in(h.at("truth_under")), count_in(h.at("regions_under")), count_in(h.at("missed")),
-                        count_in(h.at("noise"))});
+void put(Json& json, const char* name, Json value) { json[name] = std::move(value); }
+
+Json fields_out(const Fields& fields) {
+  Json json = Json::object();
+  for (const auto& field : fields) {
+    if (field.count) put(json, field.name, *field.count);
+    if (field.sum) put(json, field.name, field.sum->value());
   }
-  p.scans = count_in(r.at("scans"));
-  p.truths = count_in(r.at("truths"));
-  p.regions = count_in(r.at("regions"));
-  p.truth_points = count_in(r.at("truth_points"));
-  p.region_points = count_in(r.at("region_points"));
-  p.paired_points = count_in(r.at("paired_points"));
-  p.small_truths = count_in(r.at("small_truths"));
-  p.small_recall = sum_in(r.at("small_recall_sum"));
-  p.pairs = count_in(r.at("pairs"));
-  p.pairs_agree = count_in(r.at("pairs_agree"));
-  p.adjusted_rand = sum_in(r.at("adjusted_rand_sum"));
-  return p;
+  return json;
+}
+
+void fields_in(const JsonReader& reader, const Fields& fields) {
+  for (const auto& field : fields) {
+    if (field.count) *field.count = count_in(reader.at(field.name));
+    if (field.sum) *field.sum = sum_in(reader.at(field.name));
+  }
+}
+
+Fields fields_of(HooverCounts& h) {
+  return {{"correct", h.correct}, {"truth_over", h.truth_over}, {"regions_over", h.regions_over},
+          {"truth_under", h.truth_under}, {"regions_under", h.regions_under}, {"missed", h.missed}, {"noise", h.noise}};
+}
+Fields fields_of(PlaneScore& p) {
+  return {{"scans", p.scans}, {"truths", p.truths}, {"regions", p.regions}, {"truth_points", p.truth_points},
+          {"region_points", p.region_points}, {"paired_points", p.paired_points}, {"small_truths", p.small_truths},
+          {"small_recall_sum", p.small_recall}, {"pairs", p.pairs}, {"pairs_agree", p.pairs_agree},
+          {"adjusted_rand_sum", p.adjusted_rand}};
+}
+Fields fields_of(PanopticCounts& p) {
+  return {{"matched", p.matched}, {"extra", p.extra}, {"missed", p.missed}, {"iou_sum", p.iou}};
+}
+Fields fields_of(ObjectCounts& o) {
+  return {{"truths", o.truths}, {"found", o.found}, {"wrong", o.wrong}, {"repeated", o.repeated}};
+}
+Fields fields_of(ErrorStats& e) {
+  return {{"count", e.count}, {"absolute_sum", e.absolute}, {"squared_sum", e.squared}, {"signed_sum", e.signed_sum},
+          {"with_interval", e.with_interval}, {"covered", e.covered}};
+}
+Fields fields_of(RelationCounts& c) {
+  return {{"right", c.right}, {"wrong", c.wrong}, {"missed", c.missed}, {"judged", c.judged}, {"brier_sum", c.brier}};
+}
+Fields fields_of(LabelScore& l) {
+  return {{"things", l.things}, {"unknown", l.unknown}, {"ambiguous", l.ambiguous}, {"unknown_right", l.unknown_right},
+          {"brier_things", l.brier_things}, {"brier_sum", l.brier}};
+}
+
+template <class Counts>
+Json counts_out(const Counts& counts) {
+  Counts copy = counts;  // fields_of points into it
+  return fields_out(fields_of(copy));
+}
+template <class Counts>
+Counts counts_in(const JsonReader& reader) {
+  Counts counts;
+  fields_in(reader, fields_of(counts));
+  return counts;
+}
+
+Json row_of(std::int64_t a, std::int64_t b) {
+  Json row = Json::array();
+  row.push_back(a);
+  row.push_back(b);
+  return row;
+}
+
+Json planes_out(const PlaneScore& planes, const Protocol& protocol) {
+  Json json = counts_out(planes);
+  Json hoover = Json::array();
+  for (std::size_t i = 0; i < planes.hoover.size(); ++i) {
+    Json row = Json::object();
+    put(row, "tolerance", protocol.plane_tolerances[i]);
+    row.update(counts_out(planes.hoover[i]));
+    hoover.push_back(std::move(row));
+  }
+  put(json, "hoover", std::move(hoover));
+  return json;
+}
+
+PlaneScore planes_in(const JsonReader& reader) {
+  auto planes = counts_in<PlaneScore>(reader);
+  const auto hoover = reader.at("hoover");
+  for (std::size_t i = 0; i < hoover.size(); ++i) planes.hoover.push_back(counts_in<HooverCounts>(hoover.at(i)));
+  return planes;
 }
 
 // A class by its name, so that a stored score survives an appended class list.
-std::size_t class_in(const JsonReader& r, const std::string& name) {
+std::size_t class_in(const JsonReader& reader, const std::string& name) {
   const auto id = find_class(name);
-  if (!id) r.fail("'" + name + "' is no class", "the score was made with another class list");
+  if (!id) reader.fail("'" + name + "' is no class", "the score was made with another class list");
   return static_cast<std::size_t>(*id);
 }
 std::string class_out(std::size_t id) { return std::string(class_info(static_cast<ClassId>(id)).name); }
 
-Json points_out(const PointScore& p) {
-  Json confusion = Json::array();  // [truth, predicted, points], where there are any
-  for (std::size_t t = 0; t < p.classes; ++t) {
-    for (std::size_t c = 0; c < p.classes; ++c) {
-      if (p.at(t, c) > 0) confusion.push_back({class_out(t), class_out(c), p.at(t, c)});
+Json points_out(const PointScore& points) {
+  Json confusion = Json::object();  // truth -> predicted -> points, where there are any
+  for (std::size_t t = 0; t < points.classes; ++t) {
+    Json row = Json::object();
+    for (std::size_t c = 0; c < points.classes; ++c) {
+      if (points.at(t, c) > 0) row[class_out(c)] = points.at(t, c);
+    }
+    if (!row.empty()) confusion[class_out(t)] = std::move(row);
+  }
+  Json json = Json::object();
+  put(json, "without_truth", points.without_truth);
+  put(json, "confusion", std::move(confusion));
+  return json;
+}
+
+PointScore points_in(const JsonReader& reader) {
+  PointScore points;
+  points.classes = class_list().size();
+  points.confusion.assign(points.classes * points.classes, 0);
+  points.without_truth = count_in(reader.at("without_truth"));
+  const auto confusion = reader.at("confusion");
+  for (const auto& truth : confusion.keys()) {
+    const auto row = confusion.at(truth);
+    for (const auto& predicted : row.keys()) {
+      points.confusion[class_in(row, truth) * points.classes + class_in(row, predicted)] = count_in(row.at(predicted));
     }
   }
-  return {{"without_truth", p.without_truth}, {"confusion", confusion}};
+  return points;
 }
 
-PointScore points_in(const JsonReader& r) {
-  PointScore p;
-  p.classes = class_list().size();
-  p.confusion.assign(p.classes * p.classes, 0);
-  p.without_truth = count_in(r.at("without_truth"));
-  const auto confusion = r.at("confusion");
-  for (std::size_t i = 0; i < confusion.size(); ++i) {
-    const auto row = confusion.at(i);
-    const auto t = class_in(row, row.at(std::size_t{0}).text());
-    p.confusion[t * p.classes + class_in(row, row.at(1).text())] += count_in(row.at(2));
+Json instances_out(const InstanceClass& counts) {
+  Json rows = Json::array();  // [confidence, bits that count, bits that are right]
+  for (const auto& detection : counts.detections) {
+    Json row = Json::array();
+    row.push_back(detection.confidence);
+    row.push_back(detection.counts);
+    row.push_back(detection.right);
+    rows.push_back(std::move(row));
   }
-  return p;
+  Json json = Json::object();
+  put(json, "truths", counts.truths);
+  put(json, "claimed", counts.claimed);
+  put(json, "detections", std::move(rows));
+  return json;
 }
 
-Json classes_out(const Score& s) {
+InstanceClass instances_in(const JsonReader& reader) {
+  InstanceClass counts;
+  counts.truths = count_in(reader.at("truths"));
+  counts.claimed = reader.at("claimed").boolean();
+  const auto rows = reader.at("detections");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto row = rows.at(i);
+    counts.detections.push_back({static_cast<float>(row.at(std::size_t{0}).number()),
+                                 static_cast<std::uint32_t>(count_in(row.at(1))),
+                                 static_cast<std::uint32_t>(count_in(row.at(2)))});
+  }
+  return counts;
+}
+
+Json classes_out(const Score& score) {
   Json list = Json::object();
   for (std::size_t c = 0; c < class_list().size(); ++c) {
     Json one = Json::object();
-    if (c < s.panoptic.classes.size()) {
-      const auto& p = s.panoptic.classes[c];
-      if (p.matched + p.extra + p.missed > 0) {
-        one["panoptic"] = {{"matched", p.matched}, {"extra", p.extra}, {"missed", p.missed}, {"iou_sum", out(p.iou)}};
-      }
+    if (c < score.panoptic.classes.size() && score.panoptic.classes[c] != PanopticCounts{}) {
+      put(one, "panoptic", counts_out(score.panoptic.classes[c]));
     }
-    if (c < s.objects.classes.size()) {
-      const auto& o = s.objects.classes[c];
-      if (o.truths + o.claims() > 0) {
-        one["objects"] = {{"truths", o.truths}, {"found", o.found}, {"wrong", o.wrong}, {"repeated", o.repeated}};
-      }
+    if (c < score.objects.classes.size() && score.objects.classes[c] != ObjectCounts{}) {
+      put(one, "objects", counts_out(score.objects.classes[c]));
     }
-    if (c < s.instances.classes.size()) {
-      const auto& d = s.instances.classes[c];
-      if (d.truths > 0 || d.claimed) {
-        Json rows = Json::array();  // [confidence, bits that count, bits that are right]
-        for (const auto& row : d.detections) rows.push_back({row.confidence, row.counts, row.right});
-        one["instances"] = {{"truths", d.truths}, {"claimed", d.claimed}, {"detections", rows}};
-      }
+    if (c < score.instances.classes.size() && score.instances.classes[c] != InstanceClass{}) {
+      put(one, "instances", instances_out(score.instances.classes[c]));
     }
-    if (!one.empty()) list[class_out(c)] = one;
+    if (!one.empty()) list[class_out(c)] = std::move(one);
   }
   return list;
 }
 
-void classes_in(const JsonReader& r, Score& s) {
+void classes_in(const JsonReader& reader, Score& score) {
   const std::size_t count = class_list().size();
-  s.panoptic.classes.resize(count);
-  s.objects.classes.resize(count);
-  s.instances.classes.resize(count);
-  for (const auto& name : r.keys()) {
-    const auto one = r.at(name);
+  score.panoptic.classes.resize(count);
+  score.objects.classes.resize(count);
+  score.instances.classes.resize(count);
+  for (const auto& name : reader.keys()) {
+    const auto one = reader.at(name);
     const std::size_t c = class_in(one, name);
-    if (one.has("panoptic")) {
-      const auto p = one.at("panoptic");
-      s.panoptic.classes[c] = {count_in(p.at("matched")), count_in(p.at("extra")), count_in(p.at("missed")), sum_in(p.at("iou_sum"))};
-    }
-    if (one.has("objects")) {
-      const auto o = one.at("objects");
-      s.objects.classes[c] = {count_in(o.at("truths")), count_in(o.at("found")), count_in(o.at("wrong")), count_in(o.at("repeated"))};
-    }
-    if (!one.has("instances")) continue;
-    const auto d = one.at("instances");
-    auto& to = s.instances.classes[c];
-    to.truths = count_in(d.at("truths"));
-    to.claimed = d.at("claimed").boolean();
-    const auto rows = d.at("detections");
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const auto row = rows.at(i);
-      to.detections.push_back({static_cast<float>(row.at(std::size_t{0}).number()),
-                               static_cast<std::uint32_t>(count_in(row.at(1))), static_cast<std::uint32_t>(count_in(row.at(2)))});
-    }
+    if (one.has("panoptic")) score.panoptic.classes[c] = counts_in<PanopticCounts>(one.at("panoptic"));
+    if (one.has("objects")) score.objects.classes[c] = counts_in<ObjectCounts>(one.at("objects"));
+    if (one.has("instances")) score.instances.classes[c] = instances_in(one.at("instances"));
   }
 }
 
-Json errors_out(const ErrorStats& e) {
+Json errors_out(const ErrorStats& errors) {
+  Json json = counts_out(errors);
   Json histogram = Json::array();
-  for (const auto& [bin, n] : e.histogram) histogram.push_back({bin, n});
-  return {{"count", e.count}, {"absolute_sum", out(e.absolute)}, {"squared_sum", out(e.squared)}, {"signed_sum", out(e.signed_sum)},
-          {"with_interval", e.with_interval}, {"covered", e.covered}, {"histogram", histogram}};
+  for (const auto& [bin, n] : errors.histogram) histogram.push_back(row_of(bin, n));
+  put(json, "histogram", std::move(histogram));
+  return json;
 }
 
-ErrorStats errors_in(const JsonReader& r) {
-  ErrorStats e;
-  e.count = count_in(r.at("count"));
-  e.absolute = sum_in(r.at("absolute_sum"));
-  e.squared = sum_in(r.at("squared_sum"));
-  e.signed_sum = sum_in(r.at("signed_sum"));
-  e.with_interval = count_in(r.at("with_interval"));
-  e.covered = count_in(r.at("covered"));
-  const auto histogram = r.at("histogram");
+ErrorStats errors_in(const JsonReader& reader) {
+  auto errors = counts_in<ErrorStats>(reader);
+  const auto histogram = reader.at("histogram");
   for (std::size_t i = 0; i < histogram.size(); ++i) {
     const auto row = histogram.at(i);
-    e.histogram[static_cast<std::int32_t>(row.at(std::size_t{0}).integer())] = count_in(row.at(1));
+    errors.histogram[static_cast<std::int32_t>(row.at(std::size_t{0}).integer())] = count_in(row.at(1));
   }
-  return e;
+  return errors;
 }
 
 constexpr std::pair<const char*, ErrorStats GeometryScore::*> quantities[] = {
-    {"normal_deg", &GeometryScore::normal_deg}, {"offset", &GeometryScore::offset}, {"length", &GeometryScore::length},
-    {"width", &GeometryScore::width}, {"area", &GeometryScore::area}, {"elevation", &GeometryScore::elevation},
+    {"normal_deg", &GeometryScore::normal_deg}, {"offset", &GeometryScore::offset},
+    {"length", &GeometryScore::length}, {"width", &GeometryScore::width},
+    {"area", &GeometryScore::area}, {"elevation", &GeometryScore::elevation},
     {"group_center", &GeometryScore::group_center}, {"group_size", &GeometryScore::group_size}};
 
 Json relations_out(const std::map<std::string, RelationCounts>& relations) {
   Json list = Json::object();
-  for (const auto& [name, c] : relations) {
-    list[name] = {{"right", c.right}, {"wrong", c.wrong}, {"missed", c.missed}, {"judged", c.judged}, {"brier_sum", out(c.brier)}};
-  }
+  for (const auto& [name, counts] : relations) list[name] = counts_out(counts);
   return list;
 }
 
-std::map<std::string, RelationCounts> relations_in(const JsonReader& r) {
+std::map<std::string, RelationCounts> relations_in(const JsonReader& reader) {
   std::map<std::string, RelationCounts> relations;
-  for (const auto& name : r.keys()) {
-    const auto c = r.at(name);
-    relations[name] = {count_in(c.at("right")), count_in(c.at("wrong")), count_in(c.at("missed")), count_in(c.at("judged")),
-                       sum_in(c.at("brier_sum"))};
-  }
+  for (const auto& name : reader.keys()) relations[name] = counts_in<RelationCounts>(reader.at(name));
   return relations;
 }
 
 Json bins_out(const std::vector<ReliabilityBin>& bins) {
   Json rows = Json::array();  // [bin, count, right, sum of probabilities], where there are any
   for (std::size_t i = 0; i < bins.size(); ++i) {
-    if (bins[i].count > 0) rows.push_back({i, bins[i].count, bins[i].right, out(bins[i].probability)});
+    if (bins[i].count == 0) continue;
+    Json row = row_of(static_cast<std::int64_t>(i), bins[i].count);
+    row.push_back(bins[i].right);
+    row.push_back(bins[i].probability.value());
+    rows.push_back(std::move(row));
   }
-  return {{"bins", bins.size()}, {"rows", rows}};
+  Json json = Json::object();
+  put(json, "bins", bins.size());
+  put(json, "rows", std::move(rows));
+  return json;
 }
 
-std::vector<ReliabilityBin> bins_in(const JsonReader& r) {
-  std::vector<ReliabilityBin> bins(static_cast<std::size_t>(r.at("bins").number_in(0, 10000)));
-  const auto rows = r.at("rows");
+std::vector<ReliabilityBin> bins_in(const JsonReader& reader) {
+  std::vector<ReliabilityBin> bins(static_cast<std::size_t>(reader.at("bins").number_in(0, 10000)));
+  const auto rows = reader.at("rows");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto row = rows.at(i);
     const auto place = static_cast<std::size_t>(count_in(row.at(std::size_t{0})));
@@ -218,55 +279,61 @@ std::vector<ReliabilityBin> bins_in(const JsonReader& r) {
 
 }  // namespace
 
-Json score_to_json(const Score& s, const Protocol& protocol) {
-  Json json = {{"format", "scanchor-score"}, {"schema", schema}, {"protocol", s.protocol}, {"data", s.data},
-               {"scans", s.scans}, {"failed", s.failed}};
+Json score_to_json(const Score& score, const Protocol& protocol) {
+  Json json = Json::object();
+  put(json, "format", "scanchor-score");
+  put(json, "schema", schema);
+  put(json, "protocol", score.protocol);
+  put(json, "data", score.data);
+  put(json, "scans", score.scans);
+  put(json, "failed", score.failed);
   Json derived = Json::object();
-  for (const auto& [name, value] : metrics(s, protocol)) derived[name] = value;
-  json["metrics"] = derived;
-  json["planes"] = planes_out(s.planes, protocol);
-  json["points"] = points_out(s.points);
-  json["classes"] = classes_out(s);
-  json["objects"] = {{"ignored", s.objects.ignored}, {"not_described", s.objects.not_described}};
+  for (const auto& [name, value] : metrics(score, protocol)) derived[name] = value;
+  put(json, "metrics", std::move(derived));
+  put(json, "planes", planes_out(score.planes, protocol));
+  put(json, "points", points_out(score.points));
+  put(json, "classes", classes_out(score));
+  put(json, "ignored_things", score.objects.ignored);
+  put(json, "not_described_things", score.objects.not_described);
   Json geometry = Json::object();
-  for (const auto& [name, member] : quantities) geometry[name] = errors_out(s.geometry.*member);
-  json["geometry"] = geometry;
-  json["relations"] = {{"clear", relations_out(s.relations.clear)}, {"borderline", relations_out(s.relations.borderline)}};
-  const auto& l = s.labels;
-  json["labels"] = {{"things", l.things}, {"unknown", l.unknown}, {"ambiguous", l.ambiguous}, {"unknown_right", l.unknown_right},
-                    {"brier_things", l.brier_things}, {"brier_sum", out(l.brier)}, {"reliability", bins_out(l.reliability)},
-                    {"risk", bins_out(l.risk)}};
+  for (const auto& [name, member] : quantities) put(geometry, name, errors_out(score.geometry.*member));
+  put(json, "geometry", std::move(geometry));
+  Json relations = Json::object();
+  put(relations, "clear", relations_out(score.relations.clear));
+  put(relations, "borderline", relations_out(score.relations.borderline));
+  put(json, "relations", std::move(relations));
+  Json labels = counts_out(score.labels);
+  put(labels, "reliability", bins_out(score.labels.reliability));
+  put(labels, "risk", bins_out(score.labels.risk));
+  put(json, "labels", std::move(labels));
   return json;
 }
 
 Score score_from_json(const Json& json, const std::string& file) {
-  const JsonReader r(json, file);
-  if (!r.has("format") || r.at("format").text() != "scanchor-score") r.fail("is no score", "write one with 'scanchor score --json'");
-  if (r.at("schema").integer() != schema) r.at("schema").fail("is of another version of the format");
-  Score s;
-  s.protocol = r.at("protocol").text();
-  s.data = r.at("data").text();
-  s.scans = count_in(r.at("scans"));
-  const auto failed = r.at("failed");
-  for (std::size_t i = 0; i < failed.size(); ++i) s.failed.push_back(failed.at(i).text());
-  s.planes = planes_in(r.at("planes"));
-  s.points = points_in(r.at("points"));
-  classes_in(r.at("classes"), s);
-  s.objects.ignored = count_in(r.at("objects").at("ignored"));
-  s.objects.not_described = count_in(r.at("objects").at("not_described"));
-  for (const auto& [name, member] : quantities) s.geometry.*member = errors_in(r.at("geometry").at(name));
-  s.relations.clear = relations_in(r.at("relations").at("clear"));
-  s.relations.borderline = relations_in(r.at("relations").at("borderline"));
-  const auto l = r.at("labels");
-  s.labels.things = count_in(l.at("things"));
-  s.labels.unknown = count_in(l.at("unknown"));
-  s.labels.ambiguous = count_in(l.at("ambiguous"));
-  s.labels.unknown_right = count_in(l.at("unknown_right"));
-  s.labels.brier_things = count_in(l.at("brier_things"));
-  s.labels.brier = sum_in(l.at("brier_sum"));
-  s.labels.reliability = bins_in(l.at("reliability"));
-  s.labels.risk = bins_in(l.at("risk"));
-  return s;
+  const JsonReader reader(json, file);
+  if (!reader.has("format") || reader.at("format").text() != "scanchor-score") {
+    reader.fail("is no score", "'scanchor score --json' writes one");
+  }
+  if (reader.at("schema").integer() != schema) reader.at("schema").fail("is of another version of the format");
+  Score score;
+  score.protocol = reader.at("protocol").text();
+  score.data = reader.at("data").text();
+  score.scans = count_in(reader.at("scans"));
+  const auto failed = reader.at("failed");
+  for (std::size_t i = 0; i < failed.size(); ++i) score.failed.push_back(failed.at(i).text());
+  score.planes = planes_in(reader.at("planes"));
+  score.points = points_in(reader.at("points"));
+  classes_in(reader.at("classes"), score);
+  score.objects.ignored = count_in(reader.at("ignored_things"));
+  score.objects.not_described = count_in(reader.at("not_described_things"));
+  for (const auto& [name, member] : quantities) score.geometry.*member = errors_in(reader.at("geometry").at(name));
+  score.relations.clear = relations_in(reader.at("relations").at("clear"));
+  score.relations.borderline = relations_in(reader.at("relations").at("borderline"));
+  const auto labels = reader.at("labels");
+  score.labels = counts_in<LabelScore>(labels);
+  score.labels.reliability = bins_in(labels.at("reliability"));
+  score.labels.risk = bins_in(labels.at("risk"));
+  return score;
 }
 
 }  // namespace scanchor
