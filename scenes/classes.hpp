@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,5 +28,14 @@ const std::vector<ClassInfo>& class_list();
 const ClassInfo& class_info(ClassId id);
 /// Id by name, or nothing.
 std::optional<ClassId> find_class(std::string_view name);
+
+/// The 13 classes of S3DIS (Armeni et al., CVPR 2016) in the order of its loaders.
+const std::vector<std::string_view>& s3dis_classes();
+/// Place of a class in s3dis_classes().
+std::int32_t s3dis_index(ClassId id);
+
+/// The `data_cfg` file that semantic-kitti-api wants: labels, color_map (blue, green, red), and a learning map onto the 13 classes of
+/// S3DIS (learning ids 1..13; 0 is unlabelled and ignored).
+std::string semantic_kitti_yaml();
 
 }  // namespace scanchor

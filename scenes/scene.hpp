@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <array>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -58,6 +59,7 @@ struct Instance {
   std::vector<Part> parts;
   bool loose = false;                            ///< falls and is settled by physics; otherwise it stands fixed
   double mass = 1.0;                             ///< [kg], for loose things
+  std::map<std::string, double> parameters;      ///< what the catalogue drew: "width" [m], "boards", ...; empty for other things
 };
 
 /// A room or a floor of rooms in the frame "world": metres, z up, floor near z = 0.
@@ -88,6 +90,11 @@ WorldFace world_face(const Scene& scene, const FaceAddress& address);
 /// Adds a convex box part with six named faces ("top", "bottom", "front" (-y), "back" (+y), "left" (-x), "right" (+x)),
 /// centred at `center` in the instance's frame.
 Part box_part(const std::string& name, int material, const Eigen::Vector3d& center, const Eigen::Vector3d& size);
+
+/// Bounding box in the instance's own frame, and in the world. Empty without vertices.
+Eigen::AlignedBox3d local_bounds(const Instance& instance);
+Eigen::AlignedBox3d world_bounds(const Instance& instance);
+std::size_t triangle_count(const Scene& scene);
 
 /// scene.json, documented in docs/reference/scene-format.md. Reading throws Error(bad_data) with file, place and cause.
 nlohmann::ordered_json scene_to_json(const Scene& scene);

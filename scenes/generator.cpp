@@ -1,0 +1,62 @@
+#include "scenes/generator.hpp"
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "scenes/rooms/rooms.hpp"
+
+namespace scanchor {
+namespace {
+
+struct Family {
+  const char* name;
+  RoomPlan (*plan)(Scene& scene, SequentialRandom& random, const RoomOptions& options);
+  Furnish furnish;
+};
+
+constexpr Family families[] = {
+    {"office", plan_office, furnish_office},
+};
+
+}  // namespace
+
+void RoomOptions::describe(OptionList& list) {
+  list.add("family", family, "kind of room", room_families());
+  list.add("clutter", clutter, "1", "share of the possible clutter that is there", 0.0, 1.0);
+  list.add("size_scale", size_scale, "1", "scales the room's sides", 0.5, 3.0);
+  list.add("out_of_square_deg", out_of_square_deg, "deg", "standard deviation of the yaw of furniture against its wall", 0.0, 30.0);
+  list.add("unusual_sizes", unusual_sizes, "1", "share of furniture with sizes outside the usual range", 0.0, 1.0);
+}
+
+const std::vector<std::string>& room_families() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> list;
+    for (const auto& family : families) list.emplace_back(family.name);
+    return list;
+  }();
+  return names;
+}
+
+Scene generate_room(const RoomOptions& options, std::uint64_t seed) {
+  const auto* family = std::find_if(std::begin(families), std::end(families), [&](const Family& f) { return f.name == options.family; });
+  if (family == std::end(families)) fail_usage("unknown room family '" + options.family + "'", suggestion(options.family, room_families()));
+  // A room whose paths are blocked or that lacks its essentials is furnished anew; the later tries hold less.
+  RoomOptions used = options;
+  for (std::uint64_t attempt = 0;; ++attempt) {
+    Scene scene;
+    scene.family = options.family;
+    scene.seed = seed;
+    scene.name = options.family + " " + std::to_string(seed);
+    SequentialRandom random(stream_seed(seed, options.family, attempt));
+    const RoomPlan plan = family->plan(scene, random, used);
+    build_plan(scene, plan);
+    Placer placer(scene, plan.shell, used, random);
+    const bool complete = family->furnish(placer, plan) && walkable(placer, plan);
+    add_sensor_poses(placer, plan, 3);
+    if ((complete && !scene.sensor_poses.empty()) || attempt >= 40) return scene;
+    used.clutter *= 0.9;
+  }
+}
+
+}  // namespace scanchor

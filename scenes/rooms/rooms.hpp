@@ -1,0 +1,61 @@
+#pragma once
+// What the room families share: a shell with doors and windows, workplaces, clutter, and places to scan from.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenes/placer.hpp"
+
+namespace scanchor {
+
+/// A room that is being made: its shell, and where one comes in.
+struct RoomPlan {
+  RoomShell shell;
+  std::vector<Instance> fittings;            ///< doors and windows, placed, without ids
+  std::vector<Eigen::Vector2d> entrances;    ///< [m] places on the floor just inside the doors
+  std::vector<Eigen::Isometry3d> door_frames;  ///< side frame at the middle of each door
+  std::vector<double> door_widths;
+  std::vector<Eigen::Isometry3d> window_frames;
+  std::vector<double> window_widths;
+};
+
+/// A rectangle of the usual sides, scaled by the options, with materials drawn.
+RoomPlan plan_room(SequentialRandom& random, const RoomOptions& options, const Eigen::Vector2d& least, const Eigen::Vector2d& most,
+                   double height_low, double height_high);
+/// A door at `along` [m] (middle) of a side; empty variant: drawn.
+void add_door(Scene& scene, RoomPlan& plan, SequentialRandom& random, Side side, double along, const std::string& variant = "");
+/// As many windows as fit a side evenly, at most `count`.
+void add_windows(Scene& scene, RoomPlan& plan, SequentialRandom& random, Side side, int count);
+/// Adds shell and fittings to the scene.
+void build_plan(Scene& scene, const RoomPlan& plan);
+/// Door swings and the way in stay free; radiators come below windows.
+void prepare(Placer& placer, const RoomPlan& plan, bool radiators);
+
+/// A desk at a wall (or at a pose) with monitors that face the chair, keyboard, mouse, what lies on desks, and a chair. Returns the desk.
+std::optional<std::size_t> workplace(Placer& placer, const std::vector<Side>& sides, int monitors);
+/// The same for a desk that has been placed.
+void furnish_desk(Placer& placer, std::size_t desk, int monitors);
+/// A chair that faces a table from its side -y (0), +x (1), +y (2) or -x (3), `along` [m] off the middle, pushed in or pulled out.
+std::optional<std::size_t> chair_at(Placer& placer, std::size_t table, int side, double along, const std::string& variant = "");
+
+/// Fills surfaces of a thing with loose things of these kinds, `share` of the places.
+void load_surfaces(Placer& placer, std::size_t thing, const std::vector<std::string>& kinds, double share);
+/// Loose things on the floor.
+void litter(Placer& placer, const std::vector<std::string>& kinds, int count);
+/// Pictures, whiteboards, televisions on free stretches of wall.
+void hang_up(Placer& placer, const std::string& kind, const std::string& variant, const std::vector<Side>& sides, double z);
+void ceiling_lamps(Placer& placer, int count);
+
+/// One furnished room of a family into a plan whose doors are set. False: something essential found no place.
+using Furnish = bool (*)(Placer& placer, const RoomPlan& plan);
+
+bool furnish_office(Placer& placer, const RoomPlan& plan);
+RoomPlan plan_office(Scene& scene, SequentialRandom& random, const RoomOptions& options);
+
+/// Whether one can walk from the first entrance to the others and to every chair, and at least 85 % of the free floor is joined.
+bool walkable(const Placer& placer, const RoomPlan& plan);
+/// Two or three places at 1.2 .. 1.5 m over reachable floor that look into the room, the first near the door.
+void add_sensor_poses(Placer& placer, const RoomPlan& plan, int count);
+
+}  // namespace scanchor
