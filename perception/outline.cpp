@@ -132,7 +132,7 @@ EdgeKind kind_between(const Work& work, std::uint32_t i, std::uint32_t j) {
   if (work.kind[j] != SampleKind::blocked) return EdgeKind::true_edge;
   const OutlineSample& in = work.input.samples[i];
   const OutlineSample& out = work.input.samples[j];
-  const Eigen::Vector3d p = work.surface.T_cloud_surface * Eigen::Vector3d(in.plane.x(), in.plane.y(), 0.0);
+  const Eigen::Vector3d p = work.input.T_cloud_plane * Eigen::Vector3d(in.plane.x(), in.plane.y(), 0.0);
   // [m] how far the next sample on the plane would have been: the angle between the rays, seen on the plane.
   const Eigen::Vector2d foot = work.input.chart.sensor.head<2>();
   const double height = std::abs(work.input.chart.sensor.z());
@@ -143,7 +143,7 @@ EdgeKind kind_between(const Work& work, std::uint32_t i, std::uint32_t j) {
   const std::int32_t other = work.surfaces.plane_of_point[out.point];
   if (other >= 0) {
     const Plane& plane = work.surfaces.surfaces[static_cast<std::size_t>(other)].plane;
-    const bool upright = std::abs(plane.normal.dot(work.surface.plane.normal)) < 0.9;
+    const bool upright = std::abs(plane.normal.dot(work.input.T_cloud_plane.linear().col(2))) < 0.9;
     return upright && std::abs(plane.normal.dot(p) - plane.offset) <= step + work.gate ? EdgeKind::true_edge : EdgeKind::occlusion;
   }
   return (work.cloud.points[out.point] - p).norm() <= 2.0 * step + work.gate ? EdgeKind::true_edge : EdgeKind::occlusion;

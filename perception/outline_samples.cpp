@@ -64,8 +64,9 @@ bool SurfaceChart::to_plane(const Eigen::Vector2d& point, Eigen::Vector2d& plane
   return plane.allFinite();
 }
 
-OutlineSamples samples_without_view(const FlatPoints& flat) {
+OutlineSamples samples_without_view(const FlatPoints& flat, const Eigen::Isometry3d& T_cloud_plane) {
   OutlineSamples result;
+  result.T_cloud_plane = T_cloud_plane;
   result.samples.resize(flat.points.size());
   for (std::size_t i = 0; i < flat.points.size(); ++i) {
     OutlineSample& s = result.samples[i];
@@ -77,12 +78,13 @@ OutlineSamples samples_without_view(const FlatPoints& flat) {
 }
 
 OutlineSamples samples_with_view(const PointCloud& cloud, const ShapeView& view, const Surfaces& surfaces, const Surface& surface,
-                                 double gate) {
+                                 const Eigen::Isometry3d& T_cloud_plane, double gate) {
   OutlineSamples result;
   result.with_view = true;
-  const Eigen::Matrix3d R = surface.T_cloud_surface.linear().transpose();
+  result.T_cloud_plane = T_cloud_plane;
+  const Eigen::Matrix3d R = T_cloud_plane.linear().transpose();
   SurfaceChart& chart = result.chart;
-  chart.sensor = R * (view.sensor() - surface.T_cloud_surface.translation());
+  chart.sensor = R * (view.sensor() - T_cloud_plane.translation());
   const double side = chart.sensor.z() >= 0.0 ? 1.0 : -1.0;  // on which side of the plane the sensor stands
 
   // Cells of the surface; those whose whole surroundings belong to it are deep inside.
@@ -139,7 +141,7 @@ OutlineSamples samples_with_view(const PointCloud& cloud, const ShapeView& view,
   std::vector<Eigen::Vector3d> inlier_directions;
   for (std::size_t k = 0; k < taken.size(); ++k) {
     const std::uint32_t i = taken[k];
-    const Eigen::Vector3d p = R * (cloud.points[i] - surface.T_cloud_surface.translation());
+    const Eigen::Vector3d p = R * (cloud.points[i] - T_cloud_plane.translation());
     const Eigen::Vector3d d = p - chart.sensor;
     OutlineSample s;
     s.point = i;

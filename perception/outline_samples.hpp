@@ -41,16 +41,17 @@ struct SurfaceChart {
 struct OutlineSamples {
   std::vector<OutlineSample> samples;  ///< sorted by chart coordinates: no trace of the order of the points
   SurfaceChart chart;
+  Eigen::Isometry3d T_cloud_plane = Eigen::Isometry3d::Identity();  ///< frame of `plane` and of the chart's sensor
   bool with_view = false;              ///< false: inliers only, chart = plane, metric in metres
 };
 
 /// All inliers where no sensor position is known: dropped onto the plane along its normal.
-OutlineSamples samples_without_view(const FlatPoints& flat);
+OutlineSamples samples_without_view(const FlatPoints& flat, const Eigen::Isometry3d& T_cloud_plane);
 
 /// The inliers, moved onto the plane along their rays (range noise moves a point along its ray, so this takes the noise out of the
 /// outline), and the rays of others within two cells. Inliers of cells deep inside are thinned to one a cell. `gate` [m]: points nearer
 /// to the plane than this belong to it as far as noise can tell.
 OutlineSamples samples_with_view(const PointCloud& cloud, const ShapeView& view, const Surfaces& surfaces, const Surface& surface,
-                                 double gate);
+                                 const Eigen::Isometry3d& T_cloud_plane, double gate);
 
 }  // namespace scanchor

@@ -9,8 +9,9 @@
 namespace scanchor {
 namespace {
 
-constexpr int bins = 64;           // positions of a side that are tried
-constexpr int directions = 17;     // directions that are tried
+constexpr int bins = 48;           // positions of a side that are tried at once
+constexpr int directions = 13;     // directions that are tried at once
+constexpr int rounds = 3;          // each looks closer at where the one before found weight
 constexpr double wrong = 0.01;     // share of samples that belong to the other side of the edge
 
 using Histogram = std::array<double, bins>;
@@ -135,53 +136,51 @@ void guess_side(const std::vector<OutlineEdge>& edges, double direction, Side& s
 class SideLikelihood {
  public:
   SideLikelihood(const Side& side, double sigma, const RectangleEvidence& evidence, const Eigen::Vector2d& middle, double direction)
-      : side_(side), step_(4.0 * side.gap / bins) {
+      : sigma_(sigma) {
     const Eigen::Vector2d normal = unit(direction + side.turn);
     const Eigen::Vector2d along(-normal.y(), normal.x());
     const double band = 3.0 * side.gap;
     const double extent = side.high - side.low;
     const double margin = std::min(0.25 * extent, std::max(side.gap, 0.02 * extent));
-    const double lowest = along.dot(middle);
+    const double centre = along.dot(middle);
     const auto take = [&](const std::vector<Eigen::Vector2d>& from, double inwards, std::vector<Eigen::Vector2d>& to) {
       for (const auto& p : from) {
-        const double t = p.dot(along) ;
+        const double t = p.dot(along);
         if (t < side.low + margin || t > side.high - margin) continue;
         const Eigen::Vector2d q = p - middle;
         const double d = q.dot(normal);
         if (d < side.position - inwards || d > side.position + band) continue;
-        to.push_back({d, t - lowest});
+        to.push_back({d, t - centre});
       }
     };
     take(evidence.inside, band, inside_);
     take(evidence.outside, 1.25 * side.gap, outside_);
-    // ln P(found inside | the edge lies z bins further out), for z = -window .. window.
-    window_ = std::clamp(static_cast<int>(std::ceil(4.0 * sigma / step_)), 0, bins);
-    soft_.resize(static_cast<std::size_t>(2 * window_ + 1));
-    for (int z = -window_; z <= window_; ++z) {
-      const double p = sigma > 0.0 ? normal_cdf(z * step_ / sigma) : (z >= 0 ? 1.0 : 0.0);
-      soft_[static_cast<std::size_t>(z + window_)] = std::log(wrong + (1.0 - 2.0 * wrong) * p);
-    }
   }
 
-  [[nodiscard]] double step() const { return step_; }
   [[nodiscard]] bool informed() const { return !inside_.empty() && !outside_.empty(); }
 
-  /// `turn` [rad]: the direction against the main direction.
-  double operator()(double turn, Histogram& likelihood) const {
+  /// Positions start + (k + 1/2) step of the side, turned by `turn` [rad] against the main direction.
+  double operator()(double turn, double start, double step, Histogram& likelihood) const {
+    // ln P(found inside | the edge lies z bins further out), for z = -window .. window.
+    const int window = std::clamp(static_cast<int>(std::ceil(4.0 * sigma_ / step)), 0, bins);
+    std::array<double, 2 * bins + 1> soft{};
+    for (int z = -window; z <= window; ++z) {
+      const double p = sigma_ > 0.0 ? normal_cdf(z * step / sigma_) : (z == 0 ? 0.5 : (z > 0 ? 1.0 : 0.0));
+      soft[static_cast<std::size_t>(z + window)] = std::log(wrong + (1.0 - 2.0 * wrong) * p);
+    }
     Histogram in{};
     Histogram out{};
     double in_far = 0.0;   // beyond the last bin: wrong for every position
     double out_near = 0.0;
     const double c = std::cos(turn);
     const double s = std::sin(turn);
-    const double start = side_.position - 2.0 * side_.gap;
     for (const auto& p : inside_) {
-      const double x = (c * p.x() + s * p.y() - start) / step_;
+      const double x = (c * p.x() + s * p.y() - start) / step;
       if (x >= bins) in_far += 1.0;
       else if (x >= 0.0) in[static_cast<std::size_t>(x)] += 1.0;
     }
     for (const auto& p : outside_) {
-      const double x = (c * p.x() + s * p.y() - start) / step_;
+      const double x = (c * p.x() + s * p.y() - start) / step;
       if (x < 0.0) out_near += 1.0;
       else if (x < bins) out[static_cast<std::size_t>(x)] += 1.0;
     }
@@ -203,8 +202,8 @@ class SideLikelihood {
       prefix_out[k] = b += out[k];
     }
     for (int k = 0; k < bins; ++k) {
-      const int first = std::max(0, k - window_);
-      const int last = std::min(bins - 1, k + window_);
+      const int first = std::max(0, k - window);
+      const int last = std::min(bins - 1, k + window);
       const double in_below = first > 0 ? prefix_in[static_cast<std::size_t>(first - 1)] : 0.0;
       const double in_above = in_total - prefix_in[static_cast<std::size_t>(last)];
       const double out_below = first > 0 ? prefix_out[static_cast<std::size_t>(first - 1)] : out_near;
@@ -213,8 +212,8 @@ class SideLikelihood {
       for (int j = first; j <= last; ++j) {
         const double i = in[static_cast<std::size_t>(j)];
         const double o = out[static_cast<std::size_t>(j)];
-        if (i > 0.0) sum += i * soft_[static_cast<std::size_t>(k - j + window_)];
-        if (o > 0.0) sum += o * soft_[static_cast<std::size_t>(j - k + window_)];
+        if (i > 0.0) sum += i * soft[static_cast<std::size_t>(k - j + window)];
+        if (o > 0.0) sum += o * soft[static_cast<std::size_t>(j - k + window)];
       }
       likelihood[static_cast<std::size_t>(k)] = sum;
       greatest = std::max(greatest, sum);
@@ -224,10 +223,7 @@ class SideLikelihood {
   }
 
  private:
-  Side side_;
-  double step_;
-  int window_ = 0;
-  std::vector<double> soft_;
+  double sigma_;
   std::vector<Eigen::Vector2d> inside_, outside_;  ///< (across, along) from the middle
 };
 
@@ -250,6 +246,13 @@ Measured summarize(const std::vector<double>& weight, double start, double step)
     return start + step * static_cast<double>(weight.size());
   };
   return {start + step * mean / total, quantile(0.025), quantile(0.975), false};
+}
+
+/// Adds an independent normal error; half-widths add in squares.
+void widen(Measured& m, double variance) {
+  const double half = 1.959963984540054 * std::sqrt(variance);
+  m.low = m.value - std::hypot(m.value - m.low, half);
+  m.high = m.value + std::hypot(m.high - m.value, half);
 }
 
 double variance_of(const Measured& m) {
@@ -293,72 +296,106 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
     if (known[k]) reach = std::min(reach, 2.0 * sides[k].gap / std::max(1e-9, sides[k].high - sides[k].low));
   }
   struct Trial {
-    double weight;
+    double turn, weight;
     std::array<Histogram, 4> side;
   };
-  std::vector<Trial> trials(directions);
-  std::array<double, directions> log_weight{};
-  double greatest = -1e300;
-  for (int t = 0; t < directions; ++t) {
-    const double turn = reach * (2.0 * t / (directions - 1) - 1.0);
-    Trial& trial = trials[static_cast<std::size_t>(t)];
-    double sum = 0.0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      Histogram& h = trial.side[k];
-      if (known[k]) {
-        sum += likelihoods[k](turn, h);
-        double total = 0.0;
-        for (const double x : h) total += x;
-        for (double& x : h) x /= total;
-        sum += std::log(total);
-      } else {  // nothing beyond: uniform within half a gap of the outline
-        h.fill(0.0);
-        for (int b = bins / 2 - bins / 8; b < bins / 2 + bins / 8; ++b) h[static_cast<std::size_t>(b)] = 4.0 / bins;
-      }
-    }
-    log_weight[static_cast<std::size_t>(t)] = sum;
-    greatest = std::max(greatest, sum);
+  std::array<Trial, directions> trials;
+  double first_turn = -reach;
+  double last_turn = reach;
+  std::array<double, 4> start{};
+  std::array<double, 4> step{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double half = known[k] ? 2.0 * sides[k].gap : 0.5 * sides[k].gap;
+    start[k] = sides[k].position - half;
+    step[k] = 2.0 * half / bins;
   }
   double total = 0.0;
+  for (int round = 0; round < rounds; ++round) {
+    double greatest = -1e300;
+    for (int t = 0; t < directions; ++t) {
+      Trial& trial = trials[static_cast<std::size_t>(t)];
+      trial.turn = first_turn + (last_turn - first_turn) * (t + 0.5) / directions;
+      trial.weight = 0.0;
+      for (std::size_t k = 0; k < 4; ++k) {
+        Histogram& h = trial.side[k];
+        if (!known[k]) {
+          h.fill(1.0 / bins);  // nothing beyond: uniform within half a gap of the outline
+          continue;
+        }
+        trial.weight += likelihoods[k](trial.turn, start[k], step[k], h);
+        double sum = 0.0;
+        for (const double x : h) sum += x;
+        for (double& x : h) x /= sum;
+        trial.weight += std::log(sum);
+      }
+      greatest = std::max(greatest, trial.weight);
+    }
+    total = 0.0;
+    for (Trial& trial : trials) total += trial.weight = std::exp(trial.weight - greatest);
+    if (round + 1 == rounds) break;
+    // Closer: what holds all but a thousandth of the weight, and one step more to either side.
+    constexpr double small = 1e-3;
+    std::size_t first = 0;
+    std::size_t last = directions - 1;
+    while (trials[first].weight < small) ++first;
+    while (trials[last].weight < small) --last;
+    const double turn_step = (last_turn - first_turn) / directions;
+    const double old_first = first_turn;
+    first_turn = old_first + turn_step * (static_cast<double>(first) - 1.0);
+    last_turn = old_first + turn_step * (static_cast<double>(last) + 2.0);
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (!known[k]) continue;
+      Histogram sum{};
+      double most = 0.0;
+      for (std::size_t b = 0; b < bins; ++b) {
+        for (const Trial& trial : trials) sum[b] += trial.weight * trial.side[k][b];
+        most = std::max(most, sum[b]);
+      }
+      std::size_t from = 0;
+      std::size_t to = bins - 1;
+      while (sum[from] < small * most) ++from;
+      while (sum[to] < small * most) --to;
+      const double width = step[k] * (static_cast<double>(to - from) + 3.0);
+      start[k] += step[k] * (static_cast<double>(from) - 1.0);
+      step[k] = width / bins;
+    }
+  }
   double mean_turn = 0.0;
   std::array<double, 4> mean_position{};
-  for (int t = 0; t < directions; ++t) {
-    Trial& trial = trials[static_cast<std::size_t>(t)];
-    trial.weight = std::exp(log_weight[static_cast<std::size_t>(t)] - greatest);
-    total += trial.weight;
-    mean_turn += trial.weight * reach * (2.0 * t / (directions - 1) - 1.0);
+  for (const Trial& trial : trials) {
+    mean_turn += trial.weight * trial.turn;
     for (std::size_t k = 0; k < 4; ++k) {
-      for (int b = 0; b < bins; ++b) mean_position[k] += trial.weight * trial.side[k][static_cast<std::size_t>(b)] * (b + 0.5);
+      for (std::size_t b = 0; b < bins; ++b) mean_position[k] += trial.weight * trial.side[k][b] * (static_cast<double>(b) + 0.5);
     }
   }
   mean_turn /= total;
-  for (std::size_t k = 0; k < 4; ++k) {
-    mean_position[k] = sides[k].position - 2.0 * sides[k].gap + likelihoods[k].step() * mean_position[k] / total;
-  }
+  for (std::size_t k = 0; k < 4; ++k) mean_position[k] = start[k] + step[k] * mean_position[k] / total;
 
   // Width along each axis: the sum of two opposite positions.
   std::array<Measured, 2> size;
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const Side& a = sides[axis];
-    const Side& b = sides[axis + 2];
-    const double step_a = likelihoods[axis].step();
-    const double step_b = likelihoods[axis + 2].step();
-    const double step = std::min(step_a, step_b);
-    const double start = a.position + b.position - 2.0 * (a.gap + b.gap);
-    std::vector<double> sum(static_cast<std::size_t>(4.0 * (a.gap + b.gap) / step) + 2, 0.0);
+    const double step_a = step[axis];
+    const double step_b = step[axis + 2];
+    const double fine = std::min(step_a, step_b);
+    std::vector<double> sum(static_cast<std::size_t>(bins * (step_a + step_b) / fine) + 2, 0.0);
     for (const Trial& trial : trials) {
       if (trial.weight < 1e-4) continue;
       for (std::size_t i = 0; i < bins; ++i) {
         const double p = trial.weight * trial.side[axis][i];
         if (p < 1e-7) continue;
         for (std::size_t j = 0; j < bins; ++j) {
-          const double x = ((static_cast<double>(i) + 0.5) * step_a + (static_cast<double>(j) + 0.5) * step_b) / step;
+          const double x = ((static_cast<double>(i) + 0.5) * step_a + (static_cast<double>(j) + 0.5) * step_b) / fine;
           sum[static_cast<std::size_t>(x)] += p * trial.side[axis + 2][j];
         }
       }
     }
-    size[axis] = summarize(sum, start, step);
+    size[axis] = summarize(sum, start[axis] + start[axis + 2], fine);
     size[axis].value = mean_position[axis] + mean_position[axis + 2];
+    if (evidence.plane_variance) {
+      const Eigen::Vector2d outwards = unit(direction + mean_turn + sides[axis].turn);
+      const double variance = evidence.plane_variance(middle - mean_position[axis + 2] * outwards, middle + mean_position[axis] * outwards, outwards);
+      widen(size[axis], variance);
+    }
     size[axis].low = std::max(0.0, size[axis].low);
     size[axis].at_least = sides[axis].censored || sides[axis + 2].censored;
   }

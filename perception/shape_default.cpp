@@ -7,6 +7,7 @@
 #include "perception/polygon_check.hpp"
 #include "perception/polygon_simplify.hpp"
 #include "perception/shape_common.hpp"
+#include "perception/shape_plane.hpp"
 
 namespace scanchor {
 namespace {
@@ -248,7 +249,9 @@ void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surface
   surface.eccentricity = ellipse_eccentricity(flat.points);
   // 3.5 sigma: one point in two thousand of the surface's own lies farther from it.
   const double gate = 3.5 * std::max(all.noise_sigma, surface.plane.residual_sigma) + 1e-6;
-  const OutlineSamples samples = view != nullptr ? samples_with_view(cloud, *view, all, surface, gate) : samples_without_view(flat);
+  const RayPlane plane = view != nullptr ? fit_along_rays(cloud, surface, view->sensor()) : RayPlane{};
+  const OutlineSamples samples = view != nullptr ? samples_with_view(cloud, *view, all, surface, plane.T_cloud_plane, gate)
+                                                 : samples_without_view(flat, surface.T_cloud_surface);
   const Outline outline = find_outline(cloud, all, surface, samples, gate);
   RectangleEvidence evidence;
   surface.polygons = outline_polygons(outline, &evidence.edges);
@@ -256,15 +259,17 @@ void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surface
     shape_degenerate(flat, surface);
     return;
   }
-  // The points were moved along their rays, so what is left of the noise is the plane's own error, seen obliquely.
-  double slope = 0.3;  // unknown sensor: a point's noise along the plane, for a ray at 17 degrees from the normal
-  double across = surface.plane.residual_sigma;
   if (view != nullptr) {
-    const double height = std::max(std::abs(samples.chart.sensor.z()), 1e-9);
-    slope = samples.chart.sensor.head<2>().norm() / height;
-    across = surface.plane.centroid_sigma;
+    // The points were moved along their rays: what is left is the plane's own error, the same for all of them.
+    evidence.plane_variance = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& along) {
+      return plane.distance_variance(plane.T_cloud_plane * Eigen::Vector3d(a.x(), a.y(), 0.0),
+                                     plane.T_cloud_plane * Eigen::Vector3d(b.x(), b.y(), 0.0),
+                                     plane.T_cloud_plane.linear() * Eigen::Vector3d(along.x(), along.y(), 0.0));
+    };
+  } else {
+    // Noise along an unknown ray at 30 degrees from the normal has this part along the plane.
+    evidence.sigma = 0.58 * surface.plane.residual_sigma;
   }
-  evidence.sigma = slope * across;
   evidence.inside = outline.inside;
   evidence.outside = outline.beyond;
   evidence.outside.insert(evidence.outside.end(), outline.next.begin(), outline.next.end());

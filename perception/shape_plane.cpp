@@ -1,0 +1,82 @@
+#include "perception/shape_plane.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace scanchor {
+
+double RayPlane::distance_variance(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& along) const {
+  const auto slope = [&](const Eigen::Vector3d& x) -> Eigen::Vector3d {  // d(along . place) / dp
+    const Eigen::Vector3d d = x - sensor;
+    const double t = 1.0 / p.dot(d);
+    return -along.dot(d) * t * t * d;
+  };
+  const Eigen::Vector3d g = slope(b) - slope(a);
+  return std::max(0.0, g.dot(covariance * g));
+}
+
+RayPlane fit_along_rays(const PointCloud& cloud, const Surface& surface, const Eigen::Vector3d& sensor) {
+  RayPlane plane;
+  plane.sensor = sensor;
+  plane.T_cloud_plane = surface.T_cloud_surface;
+  const Eigen::Vector3d normal = surface.T_cloud_surface.linear().col(2);
+  const Eigen::Vector3d origin = surface.T_cloud_surface.translation();
+  const double distance = normal.dot(origin - sensor);
+  if (distance == 0.0 || surface.inliers.size() < 4) return plane;
+  plane.p = normal / distance;
+
+  // The sums must not depend on the order of the points: sorted by distance from the sensor, ties by coordinates.
+  std::vector<Eigen::Vector3d> rays;
+  rays.reserve(surface.inliers.size());
+  for (const std::uint32_t i : surface.inliers) rays.push_back(cloud.points[i] - sensor);
+  std::sort(rays.begin(), rays.end(), [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+  });
+  Eigen::Vector3d p = plane.p;
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  double squares = 0.0;
+  constexpr double grazing = 0.02;  // sine of about one degree: such rays have no say and a great weight
+  for (int round = 0; round < 3; ++round) {
+    information.setZero();
+    Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+    squares = 0.0;
+    std::size_t used = 0;
+    for (const Eigen::Vector3d& x : rays) {
+      const double range = x.norm();
+      const Eigen::Vector3d d = x / range;
+      const double facing = p.dot(d);
+      if (facing < grazing * p.norm()) continue;
+      const double t = 1.0 / facing;
+      const double residual = range - t;  // dt/dp = -t^2 d
+      const Eigen::Vector3d j = -t * t * d;
+      information += j * j.transpose();
+      gradient += residual * j;
+      squares += residual * residual;
+      ++used;
+    }
+    if (used < 4) return plane;
+    squares /= static_cast<double>(used - 3);
+    const Eigen::LDLT<Eigen::Matrix3d> solver(information);
+    const Eigen::Vector3d pivots = solver.vectorD();
+    if (solver.info() != Eigen::Success || pivots.minCoeff() <= 1e-12 * pivots.maxCoeff()) return plane;
+    const Eigen::Vector3d step = solver.solve(gradient);
+    if (!step.allFinite() || step.norm() > 0.2 * p.norm()) return plane;  // not the same plane any more
+    p += step;
+  }
+  plane.p = p;
+  plane.covariance = squares * information.inverse();
+
+  // The frame: the old origin dropped onto the new plane, the old x axis laid down on it.
+  const Eigen::Vector3d n = (p.dot(normal) < 0.0 ? -p : p).normalized();
+  const Eigen::Vector3d x = (surface.T_cloud_surface.linear().col(0) - n.dot(surface.T_cloud_surface.linear().col(0)) * n).normalized();
+  plane.T_cloud_plane.linear().col(0) = x;
+  plane.T_cloud_plane.linear().col(1) = n.cross(x);
+  plane.T_cloud_plane.linear().col(2) = n;
+  const double off = (p.dot(origin - sensor) - 1.0) / p.norm();
+  plane.T_cloud_plane.translation() = origin - off * p.normalized();
+  return plane;
+}
+
+}  // namespace scanchor
