@@ -255,25 +255,37 @@ std::vector<BoundarySegment> march(const Work& work, Outline& outline, std::vect
   return segments;
 }
 
-/// Samples that border on nothing seen move outwards by half of the spacing behind them: the mean step to their neighbours inside.
+/// Samples that border on nothing seen stand for their whole cell, half of which lies beyond the triangles: along the outline each is
+/// moved outwards by half of a cell's area over the length of outline that is its share. For rows along an edge that is half a spacing;
+/// where the outline cuts corners of the lattice it is less. The area of the outline is then that of all cells, without bias.
 void widen_open_edges(const Work& work, const std::vector<std::int32_t>& node_of_sample, Outline& outline) {
   const auto& samples = work.input.samples;
   std::vector<std::int32_t> sample_of_node(outline.nodes.size(), -1);
   for (std::size_t s = 0; s < samples.size(); ++s) {
     if (node_of_sample[s] >= 0) sample_of_node[static_cast<std::size_t>(node_of_sample[s])] = static_cast<std::int32_t>(s);
   }
-  std::vector<Eigen::Vector2d> inward(samples.size(), Eigen::Vector2d::Zero());
+  // Two triangles make a cell. Of the triangles at a sample and at its neighbours, so that a few slivers do not decide.
+  std::vector<double> area(samples.size(), 0.0);
   std::vector<int> count(samples.size(), 0);
   for (std::size_t n = 0; n < work.mesh.triangles.size(); ++n) {
+    const Triangle& t = work.mesh.triangles[n];
+    if (!work.kept[n] || !work.inside(t[0]) || !work.inside(t[1]) || !work.inside(t[2])) continue;
+    if (samples[t[0]].thinned || samples[t[1]].thinned || samples[t[2]].thinned) continue;
+    const Eigen::Vector2d u = samples[t[1]].plane - samples[t[0]].plane;
+    const Eigen::Vector2d v = samples[t[2]].plane - samples[t[0]].plane;
+    for (const std::uint32_t s : t) {
+      area[s] += 0.5 * std::abs(u.x() * v.y() - u.y() * v.x());
+      ++count[s];
+    }
+  }
+  std::vector<double> cell(samples.size(), 0.0);
+  std::vector<int> cell_count(samples.size(), 0);
+  for (std::size_t n = 0; n < work.mesh.triangles.size(); ++n) {
     if (!work.kept[n]) continue;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = work.mesh.triangles[n][k];
-      if (node_of_sample[a] < 0) continue;
-      for (std::size_t l = 1; l < 3; ++l) {
-        const std::uint32_t b = work.mesh.triangles[n][(k + l) % 3];
-        if (!work.inside(b) || node_of_sample[b] >= 0 || samples[b].thinned) continue;
-        inward[a] += samples[b].plane - samples[a].plane;
-        ++count[a];
+    for (const std::uint32_t a : work.mesh.triangles[n]) {
+      for (const std::uint32_t b : work.mesh.triangles[n]) {
+        cell[a] += area[b];
+        cell_count[a] += count[b];
       }
     }
   }
@@ -284,16 +296,19 @@ void widen_open_edges(const Work& work, const std::vector<std::int32_t>& node_of
       const std::uint32_t node = ring.nodes[i];
       if (sample_of_node[node] < 0) continue;
       const auto s = static_cast<std::size_t>(sample_of_node[node]);
-      if (count[s] == 0) continue;
-      const Eigen::Vector2d along = outline.nodes[ring.nodes[(i + 1) % size]].position - outline.nodes[ring.nodes[(i + size - 1) % size]].position;
+      if (cell_count[s] == 0) continue;
+      const Eigen::Vector2d& here = outline.nodes[node].position;
+      const Eigen::Vector2d& after = outline.nodes[ring.nodes[(i + 1) % size]].position;
+      const Eigen::Vector2d& before = outline.nodes[ring.nodes[(i + size - 1) % size]].position;
+      const Eigen::Vector2d along = after - before;
       const double length = along.norm();
-      if (length == 0.0) continue;
+      const double share = 0.5 * ((after - here).norm() + (here - before).norm());
+      if (length == 0.0 || share == 0.0) continue;
       const Eigen::Vector2d outward(along.y() / length, -along.x() / length);  // the region lies on the left
-      const double depth = -(inward[s] / count[s]).dot(outward);
-      if (depth <= 0.0) continue;
-      outline.nodes[node].half_gap = 0.5 * depth;
-      moved[node] = 0.5 * depth * outward;
-      outline.next.push_back(samples[s].plane + depth * outward);
+      const double whole = 2.0 * cell[s] / cell_count[s];
+      const double half = std::min(0.5 * whole / share, 0.75 * share);
+      outline.nodes[node].half_gap = std::max(half, 0.5 * std::sqrt(whole));
+      moved[node] = half * outward;
     }
   }
   for (std::size_t n = 0; n < moved.size(); ++n) outline.nodes[n].position += moved[n];

@@ -18,7 +18,8 @@ constexpr std::size_t smallest_ring = 7;  ///< nodes: two samples alone have six
 struct SmoothRing {
   Ring ring;
   std::vector<EdgeKind> kinds;
-  std::vector<double> gaps;  ///< [m] of each edge
+  std::vector<double> gaps;    ///< [m] of each edge
+  std::vector<double> wavers;  ///< [m] of each edge
 };
 
 SmoothRing smooth(const Outline& outline, const BoundaryRing& raw, int level) {
@@ -34,7 +35,7 @@ SmoothRing smooth(const Outline& outline, const BoundaryRing& raw, int level) {
     std::array<double, 5> near{};
     for (std::size_t k = 0; k < 5; ++k) near[k] = rough.tolerance[(i + n + k - 2) % n];
     std::sort(near.begin(), near.end());
-    usual[i] = std::max(near[2], 1e-6);
+    usual[i] = std::max({near[2], std::min(rough.tolerance[i], 2.0 * near[2]), 1e-6});
   }
   rough.tolerance = usual;
 
@@ -43,11 +44,12 @@ SmoothRing smooth(const Outline& outline, const BoundaryRing& raw, int level) {
     result.ring = rough.points;
     result.kinds = raw.kinds;
     for (const double t : rough.tolerance) result.gaps.push_back(2.0 * t);
+    result.wavers.assign(n, 0.0);
     return result;
   }
   std::vector<double> gaps = rough.tolerance;
-  // A raw outline through a lattice wavers by half a gap to either side; a tenth more leaves room for noise.
-  for (double& t : rough.tolerance) t *= 1.1;
+  // A raw outline wavers by half a gap to either side of the edge, so two vertices of it may lie a gap apart across it.
+  for (double& t : rough.tolerance) t *= 1.7;
   const std::vector<std::uint32_t> kept = simplify(rough);
   if (level == 0) {
     result.ring = straighten(rough, kept);
@@ -66,6 +68,15 @@ SmoothRing smooth(const Outline& outline, const BoundaryRing& raw, int level) {
     const auto longest = std::max_element(length.begin(), length.end());
     result.kinds.push_back(static_cast<EdgeKind>(longest - length.begin()));
     result.gaps.push_back(2.0 * gap / static_cast<double>(steps));
+    const Eigen::Vector2d& from = result.ring[i];
+    const Eigen::Vector2d along = result.ring[(i + 1) % kept.size()] - from;
+    double squares = 0.0;
+    for (std::size_t k = 1; k < steps; ++k) {
+      const Eigen::Vector2d d = rough.points[(kept[i] + k) % n] - from;
+      const double off = along.x() * d.y() - along.y() * d.x();
+      squares += off * off;
+    }
+    result.wavers.push_back(steps > 1 && along.squaredNorm() > 0.0 ? std::sqrt(squares / along.squaredNorm() / static_cast<double>(steps - 1)) : 0.0);
   }
   return result;
 }
@@ -168,13 +179,20 @@ Polygon rectangle_polygon(const FittedRectangle& r) {
   return polygon;
 }
 
-/// [m2] area of the polygons with its interval. Along each edge the outline is off by a share of the gap that is the same as far as the
-/// samples keep their phase; we take it as constant along an edge and independent between edges (reasoning.md 2.2: spacing^2 / 12).
+/// [m2] area of the polygons with its interval. Each edge is known to a gap, variance gap^2 / 12 (reasoning.md 2.2). Where the samples
+/// change their phase along it the raw outline wavers by as much, and that part averages out over the length of an edge; what does
+/// not waver is the same error along the whole edge.
 Measured polygon_area(const std::vector<Polygon>& polygons, const std::vector<OutlineEdge>& edges) {
   Measured area;
   for (const Polygon& polygon : polygons) area.value += polygon.area();
   double variance = 0.0;
-  for (const OutlineEdge& e : edges) variance += (e.to - e.from).squaredNorm() * e.gap * e.gap / 12.0;
+  for (const OutlineEdge& e : edges) {
+    const double length = (e.to - e.from).norm();
+    const double whole = e.gap * e.gap / 12.0;
+    const double wavering = std::min(whole, e.waver * e.waver);
+    const double runs = std::max(1.0, 0.5 * length / std::max(e.gap, 1e-12));
+    variance += length * length * (std::max(0.02 * whole, whole - wavering) + wavering / runs);
+  }
   const double half = 1.959963984540054 * std::sqrt(variance);
   area.low = std::max(0.0, area.value - half);
   area.high = area.value + half;
@@ -223,7 +241,7 @@ std::vector<Polygon> outline_polygons(const Outline& outline, std::vector<Outlin
         if (!is_valid(piece.polygon)) break;
       }
       for (std::size_t i = 0; i < ring.ring.size(); ++i) {
-        piece.edges.push_back({ring.ring[i], ring.ring[(i + 1) % ring.ring.size()], ring.kinds[i], ring.gaps[i]});
+        piece.edges.push_back({ring.ring[i], ring.ring[(i + 1) % ring.ring.size()], ring.kinds[i], ring.gaps[i], ring.wavers[i]});
       }
       piece.area = piece.polygon.area();
       pieces.push_back(std::move(piece));
@@ -269,10 +287,10 @@ void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surface
   } else {
     // Noise along an unknown ray at 30 degrees from the normal has this part along the plane.
     evidence.sigma = 0.58 * surface.plane.residual_sigma;
+    evidence.inside_only = true;
   }
   evidence.inside = outline.inside;
   evidence.outside = outline.beyond;
-  evidence.outside.insert(evidence.outside.end(), outline.next.begin(), outline.next.end());
 
   const OutlineShare share = hidden_share(outline);
   const RectangleFit fit = fit_rectangle(evidence);
