@@ -205,6 +205,11 @@ void Kinematics::place(int line, double line_tilt, bool tilt_follows_beam, const
   }
 }
 
+double Kinematics::mount_turn() const {
+  // |R - I| in the Frobenius norm is sqrt(8) sin(angle / 2).
+  return (true_mount_.rotation - Eigen::Matrix3d::Identity()).norm();
+}
+
 void Kinematics::true_beams(int line, BeamColumns& beams) const {
   // A camera looks along the middle of its "sweep" with all its lines.
   const double tilt =

@@ -50,6 +50,9 @@ class Kinematics {
   /// Tilt speed [rad/s]; 0 where the geometry does not tilt.
   [[nodiscard]] double tilt_speed() const { return tilt_speed_; }
   [[nodiscard]] bool moves() const { return moves_; }
+  /// Where beams start, in the tilt unit's frame [m], and by how much the mount turns them [rad].
+  [[nodiscard]] Eigen::Vector3d mount_offset() const { return true_mount_.offset; }
+  [[nodiscard]] double mount_turn() const;
   /// Pose of the robot at a time, in its frame at the start.
   [[nodiscard]] Eigen::Isometry3d motion(double time) const;
 

@@ -3,24 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math.hpp"
 #include "core/parallel.hpp"
+#include "sensors/beam_tracer.hpp"
+#include "sensors/detection.hpp"
+#include "sensors/edge_mask.hpp"
 #include "sensors/kinematics.hpp"
 #include "sensors/line_returns.hpp"
+#include "sensors/portable_angle.hpp"
 #include "sensors/range_error.hpp"
 
 namespace scanchor {
 namespace {
-
-/// Angle from its cosine in [0, 1] to 3e-8 rad: more than the float that keeps it. Portable: no libm.
-/// Abramowitz & Stegun 4.4.46.
-double angle_of_cosine(double c) {
-  static constexpr double a[] = {1.5707963050,  -0.2145988016, 0.0889789874,  -0.0501743046,
-                                 0.0308918810, -0.0170881256, 0.0066700901, -0.0012624911};
-  double sum = a[7];
-  for (int i = 6; i >= 0; --i) sum = sum * c + a[i];
-  return std::sqrt(1.0 - c) * sum;
-}
 
 /// Area of faces that beams reached, in runs of beams on one face.
 struct FaceRun {
@@ -45,6 +38,8 @@ class Sweep {
         T_world_sensor_(T_world_sensor),
         options_(options),
         kinematics_(options, seed),
+        tracer_(world, options, seed),
+        detection_(options, seed),
         range_error_(options, seed),
         scan_(scan),
         kept_(static_cast<std::size_t>(options.lines), 0),
@@ -55,7 +50,9 @@ class Sweep {
  private:
   void measure_line(int line, LineWork& work);
   void to_world(LineWork& work) const;
-  void meet_surfaces(LineWork& work) const;
+  void note_reached(int line, const LineReturns& returns);
+  void drop_unseen(int line, LineReturns& returns) const;
+  void trace_all_middles();
   void keep_points(int line, const LineWork& work);
   void close_gaps();
   void sum_visibility();
@@ -64,7 +61,11 @@ class Sweep {
   const Eigen::Isometry3d T_world_sensor_;
   const LidarOptions& options_;
   const Kinematics kinematics_;
+  const BeamTracer tracer_;
+  const Detection detection_;
   const RangeError range_error_;
+  std::vector<LineReturns> middles_;      // with a footprint: of all lines, before any is refined
+  std::vector<std::uint8_t> straddles_;   // with a footprint: one a beam
   Scan& scan_;
   std::vector<float>* intensity_ = nullptr;
   std::vector<std::size_t> kept_;              // points of each line
@@ -92,6 +93,7 @@ void Sweep::run() {
   scan_.beams_fired = fired;
   scan_.T_world_sensor = T_world_sensor_;
 
+  if (tracer_.has_footprint()) trace_all_middles();
   parallel_blocks(lines, 8, [&](std::size_t begin, std::size_t end) {
     LineWork work;
     for (std::size_t line = begin; line < end; ++line) measure_line(static_cast<int>(line), work);
@@ -100,10 +102,34 @@ void Sweep::run() {
   sum_visibility();
 }
 
+void Sweep::trace_all_middles() {
+  middles_.resize(static_cast<std::size_t>(options_.lines));
+  parallel_blocks(middles_.size(), 8, [&](std::size_t begin, std::size_t end) {
+    LineWork work;
+    for (std::size_t line = begin; line < end; ++line) {
+      kinematics_.true_beams(static_cast<int>(line), work.beams);
+      to_world(work);
+      tracer_.trace_middles(work.world, middles_[line]);
+    }
+  });
+  straddles_ = straddling_beams(world_, T_world_sensor_, options_, kinematics_,
+                                tracer_.footprint().reach(), middles_);
+}
+
 void Sweep::measure_line(int line, LineWork& work) {
+  const auto n = static_cast<std::size_t>(line);
+  const auto count = static_cast<std::size_t>(options_.beams_per_line);
   kinematics_.true_beams(line, work.beams);
   to_world(work);
-  meet_surfaces(work);
+  if (tracer_.has_footprint()) {
+    work.returns = std::move(middles_[n]);
+    tracer_.refine(line, work.world, {straddles_.data() + n * count, count}, work.returns);
+  } else {
+    tracer_.trace_middles(work.world, work.returns);
+    tracer_.refine(line, work.world, {}, work.returns);
+  }
+  note_reached(line, work.returns);
+  drop_unseen(line, work.returns);
   range_error_.apply(line, work.returns, work.measured);
   if (!kinematics_.believes_truth()) kinematics_.believed_beams(line, work.believed);
   keep_points(line, work);
@@ -128,26 +154,27 @@ void Sweep::to_world(LineWork& work) const {
   }
 }
 
-void Sweep::meet_surfaces(LineWork& work) const {
-  const auto count = static_cast<std::size_t>(options_.beams_per_line);
-  LineReturns& r = work.returns;
-  r.resize(count);
-  const BeamColumns& w = work.world;
-  world_.trace({w.origin_x.data(), w.origin_y.data(), w.origin_z.data(), w.direction_x.data(),
-                w.direction_y.data(), w.direction_z.data(), count},
-               r.triangle.data(), r.range.data());
+/// Area of the faces that the beams of a line reached, lost pulses included.
+void Sweep::note_reached(int line, const LineReturns& r) {
   const auto& surfaces = world_.surfaces();
-  for (std::size_t k = 0; k < count; ++k) {
-    r.runner_up[k] = no_hit;
-    r.flags[k] = 0;
+  auto& runs = reached_[static_cast<std::size_t>(line)];
+  for (std::size_t k = 0; k < r.size(); ++k) {
+    if (r.triangle[k] == no_hit || (r.flags[k] & (point_ghost | point_behind_glass)) != 0) continue;
+    const std::int32_t face = surfaces[r.triangle[k]].face;
+    if (runs.empty() || runs.back().face != face) runs.push_back({face, 0.0});
+    runs.back().area += r.true_range[k] * r.true_range[k] *
+                        kinematics_.solid_angle(line, static_cast<int>(k)) /
+                        std::max(r.cosine[k], 0.01);
+  }
+}
+
+void Sweep::drop_unseen(int line, LineReturns& r) const {
+  if (detection_.always()) return;
+  for (std::size_t k = 0; k < r.size(); ++k) {
     if (r.triangle[k] == no_hit) continue;
-    const SurfaceRecord& s = surfaces[r.triangle[k]];
-    const double slope = s.plane.normal.x() * w.direction_x[k] +
-                         s.plane.normal.y() * w.direction_y[k] +
-                         s.plane.normal.z() * w.direction_z[k];
-    r.cosine[k] = std::min(std::fabs(slope), 1.0);
-    r.reflected[k] = s.reflectance * r.cosine[k];
-    r.true_range[k] = r.range[k];
+    if (!detection_.seen(line, static_cast<int>(k), r.true_range[k], r.reflected[k])) {
+      r.triangle[k] = no_hit;
+    }
   }
 }
 
@@ -158,20 +185,11 @@ void Sweep::keep_points(int line, const LineWork& work) {
   const auto& surfaces = world_.surfaces();
   const std::size_t base = static_cast<std::size_t>(line) * count;
   std::size_t j = base;
-  auto& runs = reached_[static_cast<std::size_t>(line)];
   for (std::size_t k = 0; k < count; ++k) {
     const bool hit = r.triangle[k] != no_hit;
     double range = hit ? work.measured[k] : options_.maximum_range;
     PointTruth& truth = scan_.truth;
     const bool in_range = hit && range >= options_.minimum_range && range <= options_.maximum_range;
-    if (hit && r.flags[k] == 0) {
-      const std::int32_t face = surfaces[r.triangle[k]].face;
-      const double patch = r.true_range[k] * r.true_range[k] *
-                           kinematics_.solid_angle(line, static_cast<int>(k)) /
-                           std::max(r.cosine[k], 0.01);
-      if (runs.empty() || runs.back().face != face) runs.push_back({face, 0.0});
-      runs.back().area += patch;
-    }
     if (in_range) {
       const SurfaceRecord& s = surfaces[r.triangle[k]];
       truth.class_id[j] = s.class_id;

@@ -61,7 +61,7 @@ struct SurfaceRecord {
   std::int32_t part;         ///< index into Instance::parts
   std::int32_t face;         ///< index into World::faces()
   std::int32_t material;     ///< index into Scene::materials
-  bool plain;                ///< neither mirrors nor transmits
+  bool plain;                ///< what it mirrors or transmits is beneath notice beside what it scatters (world.cpp)
 };
 
 /// A piece of the outline of a face, or an edge of a curved one: where a beam's footprint can straddle two surfaces.
