@@ -68,6 +68,10 @@ void match(const Segments& segments, const Protocol& protocol, std::vector<Thing
     ThingResult& thing = things[t];
     ClaimResult& claim = claims[p];
     if (claim.status == ClaimStatus::ignored || claim.thing != overlap.truth || claim.class_id != thing.class_id) continue;
+    if (thing.status == ThingStatus::not_described) {
+      claim.status = ClaimStatus::ignored;
+      continue;
+    }
     claim.status = ClaimStatus::repeated;
     if (thing.status == ThingStatus::ignored || ratio(overlap.points, thing.points) < protocol.object_coverage) continue;
     const bool surer = overlap.points == best[t] && claim.confidence > claims[static_cast<std::size_t>(thing.claim)].confidence;

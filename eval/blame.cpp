@@ -1,0 +1,294 @@
+#include "eval/blame.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "core/error.hpp"
+#include "core/parallel.hpp"
+#include "eval/truth.hpp"
+
+namespace scanchor {
+namespace {
+
+// A frame with z along the normal, origin at the centroid.
+Eigen::Isometry3d frame_of(const Eigen::Vector3d& normal, const Eigen::Vector3d& axis, const Eigen::Vector3d& origin) {
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  Eigen::Vector3d x = axis - normal * normal.dot(axis);
+  if (x.norm() < 1e-9) x = normal.unitOrthogonal();
+  x.normalize();
+  T.linear() << x, normal.cross(x), normal;
+  T.translation() = origin;
+  return T;
+}
+
+void fit(const Scan& scan, Surface& surface) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const auto i : surface.inliers) sum += scan.cloud.points[i];
+  const auto count = static_cast<double>(surface.inliers.size());
+  const Eigen::Vector3d centroid = sum / count;
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  for (const auto i : surface.inliers) {
+    const Eigen::Vector3d d = scan.cloud.points[i] - centroid;
+    scatter += d * d.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
+  Eigen::Vector3d normal = solver.eigenvectors().col(0);
+  if (normal.dot(-centroid) < 0) normal = -normal;  // the sensor stands at the origin of its cloud
+  surface.plane.normal = normal;
+  surface.plane.centroid = centroid;
+  surface.plane.offset = normal.dot(centroid);
+  const double residual = std::max(solver.eigenvalues()(0), 0.0) / std::max(count - 3.0, 1.0);
+  surface.plane.residual_sigma = std::sqrt(residual);
+  surface.plane.centroid_sigma = std::sqrt(residual / count);
+  // Tilt about an in-plane axis: variance across the plane over the scatter along the other axis.
+  for (const int k : {1, 2}) {
+    const Eigen::Vector3d axis = solver.eigenvectors().col(k);
+    surface.plane.normal_covariance += residual / std::max(solver.eigenvalues()(k), 1e-12) * axis * axis.transpose();
+  }
+  surface.T_cloud_surface = frame_of(normal, solver.eigenvectors().col(2), centroid);
+}
+
+std::vector<Surface> surfaces_of(const Scan& scan, const ScanTruth& truth, std::vector<std::int32_t>& plane_of_surface) {
+  std::vector<Surface> surfaces(truth.planes.size());
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (truth.plane[i] < 0 || !scan.cloud.points[i].allFinite()) continue;
+    surfaces[static_cast<std::size_t>(truth.plane[i])].inliers.push_back(static_cast<std::uint32_t>(i));
+  }
+  std::vector<std::int32_t> order;
+  for (std::size_t p = 0; p < surfaces.size(); ++p) {
+    const bool curved = !truth.planes[p].has_geometry && truth.planes[p].ignored;
+    if (surfaces[p].inliers.size() >= 3 && !curved) order.push_back(static_cast<std::int32_t>(p));
+  }
+  std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
+    const auto& x = surfaces[static_cast<std::size_t>(a)].inliers;
+    const auto& y = surfaces[static_cast<std::size_t>(b)].inliers;
+    return x.size() != y.size() ? x.size() > y.size() : x.front() < y.front();
+  });
+  std::vector<Surface> sorted;
+  for (const auto p : order) {
+    sorted.push_back(std::move(surfaces[static_cast<std::size_t>(p)]));
+    sorted.back().id = static_cast<std::int32_t>(sorted.size()) - 1;
+    fit(scan, sorted.back());
+    plane_of_surface.push_back(p);
+  }
+  return sorted;
+}
+
+Surfaces planes_as_true(const Scan& scan, const ScanTruth& truth, std::vector<std::int32_t>& plane_of_surface) {
+  Surfaces surfaces;
+  surfaces.surfaces = surfaces_of(scan, truth, plane_of_surface);
+  surfaces.plane_of_point.assign(truth.size(), -1);
+  std::vector<double> spacing;
+  double squares = 0, weight = 0;
+  for (const auto& surface : surfaces.surfaces) {
+    for (const auto i : surface.inliers) surfaces.plane_of_point[i] = surface.id;
+    const double n = static_cast<double>(surface.inliers.size());
+    squares += surface.plane.residual_sigma * surface.plane.residual_sigma * n;
+    weight += n;
+  }
+  // Neighbours in the order of measurement: the scan's own grid.
+  for (std::size_t i = 1; i < scan.cloud.size(); ++i) {
+    if (truth.plane[i] < 0 || truth.plane[i] != truth.plane[i - 1]) continue;
+    spacing.push_back((scan.cloud.points[i] - scan.cloud.points[i - 1]).norm());
+  }
+  if (!spacing.empty()) {
+    const auto middle = spacing.begin() + static_cast<std::ptrdiff_t>(spacing.size() / 2);
+    std::nth_element(spacing.begin(), middle, spacing.end());
+    surfaces.point_spacing = *middle;
+  }
+  surfaces.noise_sigma = weight > 0 ? std::sqrt(squares / weight) : 0.0;
+  surfaces.sensor_positions = {Eigen::Vector3d::Zero()};
+  return surfaces;
+}
+
+Measured exactly(double value) { return {value, value, value, false}; }
+
+double metric_or_zero(const Score& score, const Protocol& protocol, const std::string& name) {
+  for (const auto& [known, value] : metrics(score, protocol)) {
+    if (known == name) return value;
+  }
+  return 0.0;
+}
+
+std::string fixed(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.2f", 100.0 * value);
+  return text;
+}
+
+}  // namespace
+
+std::string stage_word(PerfectUpTo stage) {
+  switch (stage) {
+    case PerfectUpTo::nothing: return "pipeline";
+    case PerfectUpTo::scan: return "perfect scan";
+    case PerfectUpTo::planes: return "perfect planes";
+    case PerfectUpTo::shapes: return "perfect shapes";
+    case PerfectUpTo::labels: break;
+  }
+  return "perfect labels";
+}
+
+Scan perfect_scan(const Scan& scan) {
+  Scan perfect = scan;
+  for (std::size_t i = 0; i < scan.truth.true_range.size() && i < scan.cloud.size(); ++i) {
+    const double range = scan.cloud.points[i].norm();
+    const double wanted = static_cast<double>(scan.truth.true_range[i]);
+    const bool elsewhere = i < scan.truth.flags.size() && (scan.truth.flags[i] & (point_ghost | point_out_of_range)) != 0;
+    if (elsewhere || !(range > 0) || !(wanted > 0) || !std::isfinite(range)) continue;
+    perfect.cloud.points[i] = scan.cloud.points[i] * (wanted / range);
+  }
+  return perfect;
+}
+
+Surfaces perfect_planes(const Scan& scan, const ScanTruth& truth) {
+  std::vector<std::int32_t> plane_of_surface;
+  return planes_as_true(scan, truth, plane_of_surface);
+}
+
+Surfaces perfect_shapes(const Scan& scan, const Scene& scene, const ScanTruth& truth) {
+  std::vector<std::int32_t> plane_of_surface;
+  Surfaces surfaces = planes_as_true(scan, truth, plane_of_surface);
+  const auto addresses = all_faces(scene);
+  const Eigen::Isometry3d T_cloud_world = scan.T_world_sensor.inverse();
+  for (auto& surface : surfaces.surfaces) {
+    const PlaneTruth& plane = truth.planes[static_cast<std::size_t>(plane_of_surface[static_cast<std::size_t>(surface.id)])];
+    if (!plane.has_geometry) continue;
+    // The frame of the largest face; the rectangles of all faces give the outline.
+    WorldFace largest{};
+    std::vector<WorldFace> faces;
+    for (const auto id : plane.faces) {
+      faces.push_back(world_face(scene, addresses[static_cast<std::size_t>(id)]));
+      if (faces.size() == 1 || faces.back().area > largest.area) largest = faces.back();
+    }
+    Eigen::Vector3d normal = plane.normal;
+    if (normal.dot(-surface.plane.centroid) < 0) normal = -normal;
+    surface.plane.normal = normal;
+    const Eigen::Vector3d center = T_cloud_world * largest.center;
+    surface.plane.centroid = center;
+    surface.plane.offset = normal.dot(center);
+    surface.T_cloud_surface = frame_of(normal, T_cloud_world.linear() * largest.axis, center);
+    surface.polygons.clear();
+    Eigen::AlignedBox2d box;
+    double area = 0;
+    for (const auto& face : faces) {
+      const Eigen::Vector3d across = face.normal.cross(face.axis);
+      Polygon polygon;
+      for (const auto& [s, t] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}) {
+        const Eigen::Vector3d corner = face.center + s * face.size.x() * face.axis + t * face.size.y() * across;
+        const Eigen::Vector3d local = surface.T_cloud_surface.inverse() * (T_cloud_world * corner);
+        polygon.outer.emplace_back(local.head<2>());
+        box.extend(polygon.outer.back());
+      }
+      const auto& r = polygon.outer;
+      const double turn = (r[1] - r[0]).x() * (r[2] - r[1]).y() - (r[1] - r[0]).y() * (r[2] - r[1]).x();
+      if (turn < 0) std::reverse(polygon.outer.begin(), polygon.outer.end());
+      polygon.outer_kind.assign(4, EdgeKind::true_edge);
+      surface.polygons.push_back(std::move(polygon));
+      area += face.area;
+    }
+    std::stable_sort(surface.polygons.begin(), surface.polygons.end(), [](const Polygon& a, const Polygon& b) { return a.area() > b.area(); });
+    const Eigen::Vector2d size = box.sizes();
+    const bool along_x = size.x() >= size.y();
+    surface.rectangle.center = box.center();
+    surface.rectangle.angle = along_x ? 0.0 : 0.5 * 3.14159265358979323846;
+    surface.rectangle.length = exactly(size.maxCoeff());
+    surface.rectangle.width = exactly(size.minCoeff());
+    surface.area = exactly(area);
+    surface.rectangularness = std::min(1.0, area / std::max(size.x() * size.y(), 1e-12));
+    surface.is_rectangle = surface.rectangularness > 0.8;
+    const double ratio = size.minCoeff() / std::max(size.maxCoeff(), 1e-12);
+    surface.eccentricity = std::sqrt(std::max(0.0, 1.0 - ratio * ratio));
+    surface.occluded_outline = 0.0;
+    surface.confidence = 1.0;
+  }
+  return surfaces;
+}
+
+BlameResult blame(const Suite& suite, const PerceiveOptions& perceive_options, const Ontology& ontology,
+                  const ReasonOptions& reason_options, const RunOptions& options) {
+  const auto tasks = tasks_of(suite, options);
+  if (tasks.empty()) throw Error(ExitCode::nothing_measured, "suite " + suite.name + " has no scene in part '" + options.split + "'");
+  const Method method = own_method(perceive_options, ontology, reason_options);
+  constexpr PerfectUpTo stages[] = {PerfectUpTo::nothing, PerfectUpTo::scan, PerfectUpTo::planes, PerfectUpTo::shapes, PerfectUpTo::labels};
+  std::vector<std::vector<Score>> scores(tasks.size(), std::vector<Score>(std::size(stages)));
+  const ThreadLimit limit(options.threads);
+  parallel_blocks(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const MadeScene made = make_scene(tasks[t], suite.scans);
+      for (const Scan& scan : made.scans) {
+        const Scan clean = perfect_scan(scan);
+        const ScanTruth truth = truth_of(clean, &made.scene, options.protocol);
+        for (std::size_t s = 0; s < std::size(stages); ++s) {
+          Answer answer;
+          answer.described = method.described;
+          MethodAnswer said;
+          if (stages[s] == PerfectUpTo::nothing) said = method.answer(scan, tasks[t].name);
+          if (stages[s] == PerfectUpTo::scan) said = method.answer(clean, tasks[t].name);
+          if (stages[s] == PerfectUpTo::planes) {
+            said.surfaces = perfect_planes(clean, truth);
+            find_shapes(clean.cloud, perceive_options, *said.surfaces);
+          }
+          if (stages[s] == PerfectUpTo::shapes) said.surfaces = perfect_shapes(clean, made.scene, truth);
+          if (stages[s] == PerfectUpTo::labels) {
+            answer.points = perfect_prediction(truth);
+          } else {
+            if (!said.labelling) {
+              said.labelling = reason(*said.surfaces, ontology, reason_options);
+              said.points = predict_points(*said.surfaces, *said.labelling);
+            }
+            answer.points = std::move(said.points);
+            answer.surfaces = &*said.surfaces;
+            answer.labelling = &*said.labelling;
+          }
+          scores[t][s].add(score_scan(stages[s] == PerfectUpTo::nothing ? scan : clean, &made.scene, answer, options.protocol));
+        }
+      }
+    }
+  });
+  BlameResult result;
+  result.protocol = options.protocol;
+  result.data = data_stamp(suite, options.split);
+  for (std::size_t s = 0; s < std::size(stages); ++s) {
+    BlameRow row;
+    row.perfect = stages[s];
+    for (const auto& scene : scores) row.score.add(scene[s]);
+    result.rows.push_back(std::move(row));
+  }
+  return result;
+}
+
+std::vector<std::pair<std::string, double>> BlameResult::losses(const std::string& metric) const {
+  constexpr const char* names[] = {"sensor", "planes", "shapes", "reasoning"};
+  std::vector<std::pair<std::string, double>> list;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    list.emplace_back(names[i - 1], metric_or_zero(rows[i].score, protocol, metric) - metric_or_zero(rows[i - 1].score, protocol, metric));
+  }
+  if (!rows.empty()) list.emplace_back("limit", 1.0 - metric_or_zero(rows.back().score, protocol, metric));
+  return list;
+}
+
+std::string blame_to_markdown(const BlameResult& result, const std::vector<std::string>& names) {
+  std::string text = "| truth put in |";
+  std::string rule = "| --- |";
+  for (const auto& name : names) text += " " + name + " |", rule += " ---: |";
+  text += "\n" + rule + "\n";
+  for (const auto& row : result.rows) {
+    text += "| " + stage_word(row.perfect) + " |";
+    for (const auto& name : names) text += " " + fixed(metric_or_zero(row.score, result.protocol, name)) + " |";
+    text += "\n";
+  }
+  for (std::size_t stage = 0; stage < 5 && !names.empty(); ++stage) {
+    const auto first = result.losses(names.front());
+    if (stage >= first.size()) break;
+    text += "| loss: " + first[stage].first + " |";
+    for (const auto& name : names) text += " " + fixed(result.losses(name)[stage].second) + " |";
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace scanchor
