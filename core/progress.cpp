@@ -24,11 +24,12 @@ std::string rate_text(double rate) {
 
 }  // namespace
 
-std::string progress_line(const std::string& what, std::size_t done, std::size_t total, double seconds) {
+std::string progress_line(const std::string& what, std::size_t done, std::size_t total, double seconds,
+                          std::size_t before) {
   std::string line = total > 0 ? fmt::format("{} {}/{} ({} %)", what, done, total, done * 100 / total)
                                : fmt::format("{} {}", what, done);
-  if (done == 0 || seconds <= 0.0) return line;
-  const double rate = static_cast<double>(done) / seconds;
+  if (done <= before || seconds <= 0.0) return line;
+  const double rate = static_cast<double>(done - before) / seconds;
   line += ", " + rate_text(rate);
   if (total > 0) {
     line += fmt::format(", {} left", duration(static_cast<double>(total > done ? total - done : 0) / rate));
@@ -53,10 +54,24 @@ void Progress::update(std::size_t done) {
   show();
 }
 
+void Progress::update(std::size_t done, std::size_t total) {
+  const std::lock_guard lock(mutex_);
+  done_ = done;
+  total_ = total;
+  show();
+}
+
 void Progress::add(std::size_t more) {
   const std::lock_guard lock(mutex_);
   done_ += more;
   show();
+}
+
+void Progress::resume(std::size_t done) {
+  const std::lock_guard lock(mutex_);
+  before_ = done;
+  done_ = done;
+  start_ = Clock::now();
 }
 
 void Progress::show() {
@@ -66,7 +81,7 @@ void Progress::show() {
   if (since(start_) < options_.delay || (visible_ && since(shown_) < options_.interval)) return;
   shown_ = now;
   visible_ = true;
-  std::fprintf(options_.stream, "\r%s\x1b[K", progress_line(what_, done_, total_, since(start_)).c_str());
+  std::fprintf(options_.stream, "\r%s\x1b[K", progress_line(what_, done_, total_, since(start_), before_).c_str());
   std::fflush(options_.stream);
 }
 

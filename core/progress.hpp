@@ -19,7 +19,9 @@ struct ProgressOptions {
 };
 
 /// "scans 250/1000 (25 %), 25.0/s, 30 s left". `total` 0: unknown, then without share and time left. `seconds` since the start.
-std::string progress_line(const std::string& what, std::size_t done, std::size_t total, double seconds);
+/// `before`: what an earlier run had done; it counts for the share but not for the rate.
+std::string progress_line(const std::string& what, std::size_t done, std::size_t total, double seconds,
+                          std::size_t before = 0);
 
 /// Shows one line that changes in place and takes it away when it dies. May be called from any thread.
 class Progress {
@@ -30,7 +32,11 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   void update(std::size_t done);
+  /// The same where the total is known only now.
+  void update(std::size_t done, std::size_t total);
   void add(std::size_t more = 1);
+  /// What an earlier run had done.
+  void resume(std::size_t done);
 
  private:
   void show();
@@ -41,7 +47,7 @@ class Progress {
   std::mutex mutex_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point shown_{};
-  std::size_t done_ = 0;
+  std::size_t done_ = 0, before_ = 0;
   bool visible_ = false;
 };
 

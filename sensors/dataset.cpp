@@ -89,6 +89,7 @@ class Generator {
     }
     total_ = (missing.size() + static_cast<std::size_t>(result_.scenes_found)) * static_cast<std::size_t>(suite_.scans);
     done_ = static_cast<std::size_t>(result_.scenes_found) * static_cast<std::size_t>(suite_.scans);
+    if (options_.progress) options_.progress(done_, total_);
     {
       const ThreadLimit limit(options_.threads);
       parallel_blocks(missing.size(), 1, [&](std::size_t begin, std::size_t) {

@@ -28,7 +28,8 @@ struct DatasetOptions {
   int threads = 0;      ///< 0: as many as there are cores. The bytes do not depend on it
   Shard shard;          ///< only the scenes of this part
   DatasetFormats formats;
-  /// Called after each scan, from any thread but never from two at once.
+  /// Called once at the start with the scans that an earlier run had done, then after each scan; from any thread but never from two
+  /// at once.
   std::function<void(std::size_t scans_done, std::size_t scans_total)> progress;
   /// Set it (from a signal handler, say) and the work ends after the scans that are under way; a later call goes on from there.
   const std::atomic<bool>* stop = nullptr;

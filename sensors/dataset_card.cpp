@@ -114,9 +114,11 @@ std::string suite_card(const Suite& suite, const DatasetFormats& formats) {
 
 std::string label_map_yaml(const std::vector<SequenceCard>& cards, const std::string& name) {
   const SequenceCard total = total_of(cards);
+  std::string title = name;  // stands in a comment: one line
+  for (char& c : title) c = static_cast<unsigned char>(c) < ' ' ? ' ' : c;
   const double points = std::max<double>(1.0, static_cast<double>(sum(total.scan_points)));
   std::string yaml = fmt::format("# Label map of the data set \"{}\", as semantic-kitti-api reads it. Colours are B, G, R.\n"
-                                 "name: \"scanchor\"\nlabels:\n", name);
+                                 "name: \"scanchor\"\nlabels:\n", title);
   for (const auto& info : class_list()) yaml += fmt::format("  {}: \"{}\"\n", info.id, info.name);
   yaml += "color_map:\n";
   for (const auto& info : class_list()) {

@@ -15,6 +15,7 @@ TEST(Progress, LineHasShareRateAndTimeLeft) {
   EXPECT_EQ(progress_line("scenes", 1, 1000, 30.0), "scenes 1/1000 (0 %), 0.0333/s, 8 h 19 min left");
   EXPECT_EQ(progress_line("scenes", 0, 5, 3.0), "scenes 0/5 (0 %)");
   EXPECT_EQ(progress_line("scenes", 5, 5, 5.0), "scenes 5/5 (100 %), 1.00/s, 0 s left");
+  EXPECT_EQ(progress_line("scans", 600, 1000, 10.0, 500), "scans 600/1000 (60 %), 10.0/s, 40 s left") << "resumed at 500";
   EXPECT_EQ(progress_line("points", 7, 0, 7.0), "points 7, 1.00/s");
 }
 
@@ -28,6 +29,7 @@ std::string output_of(const ProgressOptions& options, bool wait) {
     if (wait) std::this_thread::sleep_for(std::chrono::milliseconds(30));
     progress.update(5);
     progress.add(2);
+    progress.update(8, 20);
   }
   std::rewind(file);
   std::string text;
@@ -46,6 +48,7 @@ TEST(Progress, OneLineThatIsTakenAwayAtTheEnd) {
   const std::string text = output_of({.terminal = true, .delay = 0.01, .interval = 0.0}, true);
   EXPECT_NE(text.find("\rscans 5/10 (50 %)"), std::string::npos) << text;
   EXPECT_NE(text.find("\rscans 7/10 (70 %)"), std::string::npos) << text;
+  EXPECT_NE(text.find("\rscans 8/20 (40 %)"), std::string::npos) << text;
   EXPECT_EQ(text.find('\n'), std::string::npos);
   EXPECT_EQ(text.substr(text.size() - 4), "\r\x1b[K");
 }
