@@ -73,6 +73,7 @@ struct Side {
   double turn = 0.0;       ///< of the outward normal against the main direction: 0, 90, 180, 270 degrees
   double position = 0.0;   ///< [m] first guess
   double gap = 0.0;        ///< [m] width of the uncertainty
+  double waver = 0.0;      ///< [m] rms of the raw outline about it
   double low = 0.0, high = 0.0;  ///< [m] extent along the side
   double support = 0.0;
   bool censored = false;
@@ -83,7 +84,7 @@ void guess_side(const std::vector<OutlineEdge>& edges, double direction, Side& s
   const Eigen::Vector2d normal = unit(direction + side.turn);
   const Eigen::Vector2d along(-normal.y(), normal.x());
   struct Facing {
-    double position, length, gap;
+    double position, length, gap, waver;
     EdgeKind kind;
   };
   std::vector<Facing> facing;
@@ -97,7 +98,7 @@ void guess_side(const std::vector<OutlineEdge>& edges, double direction, Side& s
     side.low = std::min(side.low, e.from.dot(along));
     side.high = std::max(side.high, e.from.dot(along));
     const Eigen::Vector2d outward(d.y(), -d.x());
-    if (outward.dot(normal) > 0.85 * length) facing.push_back({0.5 * (e.from + e.to).dot(normal), length, e.gap, e.kind});
+    if (outward.dot(normal) > 0.85 * length) facing.push_back({0.5 * (e.from + e.to).dot(normal), length, e.gap, e.waver, e.kind});
   }
   std::sort(facing.begin(), facing.end(), [](const Facing& a, const Facing& b) {
     return a.position != b.position ? a.position > b.position : a.length > b.length;
@@ -124,10 +125,12 @@ void guess_side(const std::vector<OutlineEdge>& edges, double direction, Side& s
     sum += f.length * f.position;
     weight += f.length;
     side.gap += f.length * f.gap;
+    side.waver += f.length * f.waver;
     if (f.kind == EdgeKind::true_edge || f.kind == EdgeKind::unknown) real += f.length;
   }
   side.position = sum / weight;
   side.gap /= weight;
+  side.waver /= weight;
   side.support = std::min(1.0, extent > 0.0 ? real / extent : 0.0);
   side.censored = real < 0.5 * weight;
 }
@@ -237,56 +240,13 @@ class SideLikelihood {
   std::vector<Eigen::Vector2d> inside_, outside_;  ///< (across, along) from the middle
 };
 
-/// Where a side is by the number of samples before it. A window that rises linearly over [a, a + h] and stays 1 up to the side holds
-/// density * length * (position - a - h / 2) samples, whatever the pattern and however noise has blurred the edge; the ramp hides the
-/// phase of rows at its inner end. Density from a triangular window over [a - h, a + h]. The samples' phase at the side itself
-/// remains: of its variance spacing^2 / 12 the part that varies along the side averages out.
-struct CountedSide {
-  bool known = false;
-  double position = 0.0;
-  double sigma = 0.0;
-};
-
-CountedSide count_side(const Side& side, const RectangleEvidence& evidence, const Eigen::Vector2d& middle, double direction) {
-  CountedSide result;
-  const Eigen::Vector2d normal = unit(direction + side.turn);
-  const Eigen::Vector2d along(-normal.y(), normal.x());
-  const double extent = side.high - side.low;
-  const double margin = std::min(0.25 * extent, 2.0 * side.gap);
-  const double length = extent - 2.0 * margin;
-  if (length <= 0.0 || side.gap <= 0.0) return result;
-  const double h = 4.0 * side.gap;
-  const double a = side.position - 2.0 * h;
-  double windowed = 0.0;
-  double triangular = 0.0;
-  std::vector<double> last(static_cast<std::size_t>(std::clamp(length / side.gap, 1.0, 4096.0)), -1e300);
-  for (const auto& p : evidence.inside) {
-    const double t = p.dot(along) - side.low - margin;
-    if (t < 0.0 || t >= length) continue;
-    const double x = (p - middle).dot(normal);
-    if (x < a - h || x > side.position + 3.0 * side.gap) continue;
-    windowed += std::clamp((x - a) / h, 0.0, 1.0);
-    triangular += std::max(0.0, 1.0 - std::abs(x - a) / h);
-    double& farthest = last[static_cast<std::size_t>(t / length * static_cast<double>(last.size()))];
-    farthest = std::max(farthest, x);
-  }
-  const double per_metre = triangular / h;  // samples before the side for each metre it moves
-  if (triangular < 8.0) return result;
-  result.position = a + 0.5 * h + windowed / per_metre;
-  if (std::abs(result.position - side.position) > 1.5 * side.gap) return result;  // holes or a slant: the outline knows better
-  std::erase_if(last, [&](double x) { return x < side.position - 2.0 * side.gap; });
-  double mean = 0.0;
-  for (const double x : last) mean += x;
-  mean /= std::max<double>(1.0, static_cast<double>(last.size()));
-  double varying = 0.0;
-  for (const double x : last) varying += (x - mean) * (x - mean);
-  const double count = std::max<double>(2.0, static_cast<double>(last.size()));
-  varying /= count - 1.0;
-  const double spacing = length / per_metre / side.gap < 4.0 * side.gap ? std::sqrt(length / per_metre) : side.gap;
-  const double phase = spacing * spacing / 12.0;
-  result.sigma = std::sqrt(std::max(0.1 * phase, phase - varying) + (varying + evidence.sigma * evidence.sigma) / count);
-  result.known = true;
-  return result;
+/// [m] of a side where nothing beyond it was seen, so that only the outline tells. Each sample's phase leaves gap^2 / 12; as far as
+/// the raw outline wavers by as much the phases differ along the side and average out.
+double outline_sigma(const Side& side, double noise) {
+  const double whole = side.gap * side.gap / 12.0;
+  const double wavering = std::min(whole, side.waver * side.waver);
+  const double runs = std::max(1.0, 0.5 * (side.high - side.low) / side.gap);
+  return std::sqrt(std::max(0.1 * whole, whole - wavering) + (wavering + noise * noise) / runs);
 }
 
 /// Mean and central 95 % of a distribution over bins of width `step` that begin at `start`.
@@ -350,11 +310,7 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
   std::vector<SideLikelihood> likelihoods;
   for (const Side& side : sides) likelihoods.emplace_back(side, evidence.sigma, evidence, middle, direction);
   std::array<bool, 4> known{};
-  std::array<CountedSide, 4> counted;
-  for (std::size_t k = 0; k < 4; ++k) {
-    known[k] = !sides[k].censored && likelihoods[k].informed();
-    if (!known[k] && evidence.inside_only) counted[k] = count_side(sides[k], evidence, middle, direction);
-  }
+  for (std::size_t k = 0; k < 4; ++k) known[k] = !sides[k].censored && likelihoods[k].informed();
 
   // Directions: as far as the ends of the longest known side may lie apart by its gap.
   double reach = radians(8.0);
@@ -371,8 +327,8 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
   std::array<double, 4> start{};
   std::array<double, 4> step{};
   for (std::size_t k = 0; k < 4; ++k) {
-    const double half = counted[k].known ? 4.0 * counted[k].sigma : (known[k] ? 2.0 * sides[k].gap : 0.5 * sides[k].gap);
-    start[k] = (counted[k].known ? counted[k].position : sides[k].position) - half;
+    const double half = known[k] ? 2.0 * sides[k].gap : 4.0 * outline_sigma(sides[k], evidence.sigma);
+    start[k] = sides[k].position - half;
     step[k] = 2.0 * half / bins;
   }
   double total = 0.0;
@@ -385,8 +341,7 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
       for (std::size_t k = 0; k < 4; ++k) {
         Histogram& h = trial.side[k];
         if (!known[k]) {
-          h.fill(1.0 / bins);  // nothing beyond: uniform within half a gap of the outline
-          if (counted[k].known) normal_bins(h);
+          normal_bins(h);
           continue;
         }
         trial.weight += likelihoods[k](trial.turn, start[k], step[k], h);

@@ -23,7 +23,6 @@ struct RectangleEvidence {
   std::vector<Eigen::Vector2d> outside;  ///< [m] samples that are known not to be on it, next to the edges
   std::vector<OutlineEdge> edges;
   double sigma = 0.0;                    ///< [m] lateral noise of a sample
-  bool inside_only = false;              ///< no sensor position is known: sides follow from how many samples lie before them
   /// [m2] variance of the distance between two places of the plane, along a unit vector, that comes from the plane itself; may be empty.
   std::function<double(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& along)> plane_variance;
 };
@@ -40,7 +39,7 @@ struct RectangleFit {
 /// normal lateral noise and a share of wrong samples; direction and positions have flat priors. Width and length are sums of two positions,
 /// their distribution follows by convolution, and the answer is its mean and its central 95 %. No shape of error is assumed: where the
 /// samples form a lattice parallel to a side the distribution is as flat as one spacing, where they do not it is much narrower.
-/// Without samples outside, a side lies where the samples before it, at the density measured further in, would end.
+/// Without samples outside, a side lies where the outline does, and what the outline cannot tell is its variance.
 /// Censored sides lie at the outermost sample and make the size "at least". Empty evidence gives a rectangle of size 0.
 RectangleFit fit_rectangle(const RectangleEvidence& evidence);
 

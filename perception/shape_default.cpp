@@ -287,7 +287,6 @@ void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surface
   } else {
     // Noise along an unknown ray at 30 degrees from the normal has this part along the plane.
     evidence.sigma = 0.58 * surface.plane.residual_sigma;
-    evidence.inside_only = true;
   }
   evidence.inside = outline.inside;
   evidence.outside = outline.beyond;
