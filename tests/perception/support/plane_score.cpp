@@ -1,4 +1,4 @@
-#include "support/plane_score.hpp"
+#include "tests/perception/support/plane_score.hpp"
 
 #include <algorithm>
 #include <map>

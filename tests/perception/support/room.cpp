@@ -1,4 +1,4 @@
-#include "support/room.hpp"
+#include "tests/perception/support/room.hpp"
 
 #include <cmath>
 #include <limits>
