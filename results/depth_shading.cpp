@@ -19,8 +19,7 @@ void shade_by_depth(Frame& frame, double strength, double pixels_per_metre, bool
     // A parallel projection's depth is linear over a plane itself: -d keeps "nearer is larger".
     inverse[i] = d == 0.0F ? 0.0F : parallel ? -d : 1.0F / d;
   }
-  const std::array<int, 3> radii =
-      fine ? std::array<int, 3>{1, 2, 3} : std::array<int, 3>{2, 6, 15};
+  const std::array<int, 3> radii = fine ? std::array<int, 3>{1, 2, 3} : std::array<int, 3>{1, 4, 9};
   const std::array<std::array<int, 2>, 4> ways = {{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
   parallel_blocks(std::size_t(h), 16, [&](std::size_t begin, std::size_t end) {
     for (int y = int(begin); y < int(end); ++y) {
@@ -32,6 +31,7 @@ void shade_by_depth(Frame& frame, double strength, double pixels_per_metre, bool
         const float px_per_m = float(parallel ? pixels_per_metre : pixels_per_metre / distance);
         float dark = 0.0F;
         for (const int radius : radii) {
+          const float weight = 2.0F / (1.0F + float(radius));
           for (const auto& way : ways) {
             const int dx = way[0] * radius;
             const int dy = way[1] * radius;
@@ -48,7 +48,7 @@ void shade_by_depth(Frame& frame, double strength, double pixels_per_metre, bool
             const float across = float(radius) / px_per_m;
             const float angle = std::min(1.0F, in_front / across);
             // Something far in front is another thing, not a crease: let it fade.
-            dark += angle / (1.0F + 4.0F * in_front);
+            dark += weight * angle / (1.0F + 4.0F * in_front);
           }
         }
         const float shade = 1.0F / (1.0F + float(strength) * (fine ? 0.22F : 0.10F) * dark);

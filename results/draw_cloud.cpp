@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -173,6 +174,28 @@ Painted paint_cloud(const PointCloud& cloud, CloudColor by) {
 
 }  // namespace
 
+double typical_spacing(const PointCloud& cloud) {
+  Eigen::AlignedBox3d box;
+  std::size_t count = 0;
+  for (const Eigen::Vector3d& p : cloud.points) {
+    if (!p.allFinite()) continue;
+    box.extend(p);
+    ++count;
+  }
+  if (count < 2) return 0.0;
+  const double cell = std::max(0.05, box.sizes().maxCoeff() / 1e6);
+  const std::size_t step = 1 + count / 400000;
+  std::vector<std::array<std::int32_t, 3>> cells;
+  for (std::size_t i = 0; i < cloud.size(); i += step) {
+    if (!cloud.points[i].allFinite()) continue;
+    const Eigen::Vector3d place = (cloud.points[i] - box.min()) / cell;
+    cells.push_back({std::int32_t(place.x()), std::int32_t(place.y()), std::int32_t(place.z())});
+  }
+  std::sort(cells.begin(), cells.end());
+  const auto occupied = std::unique(cells.begin(), cells.end()) - cells.begin();
+  return cell * std::sqrt(double(occupied) / double(count));
+}
+
 Drawing draw_cloud(const PointCloud& cloud, const DrawCloudOptions& options) {
   Painted painted = paint_cloud(cloud, options.color);
   const bool open =
@@ -180,7 +203,8 @@ Drawing draw_cloud(const PointCloud& cloud, const DrawCloudOptions& options) {
   Drawing drawing;
   DrawnPoints group;
   group.size_px = options.point_px;
-  group.size_m = options.point_m;
+  group.size_m =
+      options.point_m < 0.0 ? std::min(1.25 * typical_spacing(cloud), 0.05) : options.point_m;
   group.positions.reserve(cloud.size());
   group.colors.reserve(cloud.size());
   std::size_t not_finite = 0;

@@ -26,7 +26,8 @@ enum class CloudColor {
 struct DrawCloudOptions {
   CloudColor color = CloudColor::height;
   double point_px = 2.2;  ///< least diameter on the picture
-  double point_m = 0.0;   ///< [m] diameter in space; 0: fixed on the picture
+  double point_m =
+      -1.0;  ///< [m] diameter in space; 0: fixed on the picture; -1: closes the usual gap
   /// One a point: the normal of the wall, floor or ceiling it lies on; zero: of something else.
   /// Empty: unknown.
   std::vector<Eigen::Vector3d> sheet_normals;
@@ -38,6 +39,10 @@ struct DrawCloudOptions {
 /// In the cloud's frame. Non-finite points are left out and counted in the subtitle. Throws
 /// Error(wrong_usage) for a colour whose field the cloud does not have, naming those that it has.
 Drawing draw_cloud(const PointCloud& cloud, const DrawCloudOptions& options = {});
+
+/// Typical distance between neighbouring points [m]: root of (occupied area / points), the area
+/// counted in cells of 5 cm (or more for clouds that are kilometres wide).
+double typical_spacing(const PointCloud& cloud);
 
 /// The cloud with "plane" set from the surfaces.
 PointCloud with_planes(const PointCloud& cloud, const Surfaces& surfaces);

@@ -77,6 +77,19 @@ void add_box_lines(DrawnLines& lines, const Eigen::Isometry3d& pose, const Eigen
   }
 }
 
+std::vector<Eigen::Vector3d> places_to_frame(const Drawing& drawing) {
+  constexpr std::size_t enough = 100000;
+  std::vector<Eigen::Vector3d> places;
+  const auto take = [&](const std::vector<Eigen::Vector3d>& from) {
+    const std::size_t step = 1 + from.size() / enough;
+    for (std::size_t i = 0; i < from.size(); i += step) places.push_back(from[i]);
+  };
+  for (const DrawnMesh& mesh : drawing.meshes) take(mesh.vertices);
+  for (const DrawnPoints& group : drawing.points) take(group.positions);
+  for (const DrawnPolygon& polygon : drawing.polygons) take(polygon.outer);
+  return places;
+}
+
 Eigen::AlignedBox3d bounds_of(const Drawing& drawing) {
   Eigen::AlignedBox3d box;
   for (const DrawnMesh& mesh : drawing.meshes) extend(box, mesh.vertices, "vertex");

@@ -99,6 +99,9 @@ struct Drawing {
 /// The twelve edges of an oriented box: `pose` is its centre, `size` its sides [m].
 void add_box_lines(DrawnLines& lines, const Eigen::Isometry3d& pose, const Eigen::Vector3d& size);
 
+/// What a view should keep inside: vertices, points (of a large cloud an even sample), corners.
+std::vector<Eigen::Vector3d> places_to_frame(const Drawing& drawing);
+
 /// Box of all vertices, points, polygon corners and line ends. Throws Error(bad_data) naming the
 /// first that is not finite.
 Eigen::AlignedBox3d bounds_of(const Drawing& drawing);

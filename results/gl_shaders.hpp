@@ -31,7 +31,7 @@ void main() {
   if (dot(vertex_normal, vertex_normal) > 0.1) {
     vec3 n = normalize(vertex_normal);
     if (dot(n, to_eye) < 0.0) n = -n;
-    light = 0.56 + 0.34 * max(dot(n, key_light), 0.0) + 0.14 * (0.5 + 0.5 * n.z);
+    light = 0.70 + 0.26 * max(dot(n, key_light), 0.0) + 0.12 * (0.5 + 0.5 * n.z);
   }
   pixel = vec4(min(vertex_color.rgb * light, vec3(1.0)), vertex_color.a);
 }

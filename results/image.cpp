@@ -10,11 +10,11 @@
 
 namespace scanchor {
 
-void write_png(const std::filesystem::path& path, const Image& image) {
+std::string png_bytes(const Image& image) {
   const std::size_t wanted = std::size_t(3) * std::size_t(std::max(image.width, 0)) *
                              std::size_t(std::max(image.height, 0));
   if (wanted == 0 || image.rgb.size() != wanted) {
-    fail_data(path.string(), "",
+    fail_data("", "",
               "a picture of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
                   " pixels with " + std::to_string(image.rgb.size()) + " bytes cannot be written");
   }
@@ -29,10 +29,35 @@ void write_png(const std::filesystem::path& path, const Image& image) {
   std::string bytes(size, '\0');
   if (png_image_write_to_memory(&header, bytes.data(), &size, 0, image.rgb.data(), 0, nullptr) ==
       0) {
-    fail_data(path.string(), "", std::string("the PNG library refused: ") + header.message);
+    fail_data("", "", std::string("the PNG library refused: ") + header.message);
   }
   bytes.resize(size);
-  write_file(path, bytes);
+  return bytes;
+}
+
+void write_png(const std::filesystem::path& path, const Image& image) {
+  write_file(path, png_bytes(image));
+}
+
+Image smaller(const Image& image, int factor) {
+  Image result{image.width / factor, image.height / factor, {}};
+  result.rgb.reserve(3 * std::size_t(result.width) * std::size_t(result.height));
+  for (int y = 0; y < result.height; ++y) {
+    for (int x = 0; x < result.width; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        int sum = 0;
+        for (int dy = 0; dy < factor; ++dy) {
+          for (int dx = 0; dx < factor; ++dx) {
+            sum += image.rgb[3 * (std::size_t(y * factor + dy) * std::size_t(image.width) +
+                                  std::size_t(x * factor + dx)) +
+                             std::size_t(c)];
+          }
+        }
+        result.rgb.push_back(std::uint8_t((sum + factor * factor / 2) / (factor * factor)));
+      }
+    }
+  }
+  return result;
 }
 
 Image read_png(const std::filesystem::path& path) {

@@ -129,8 +129,6 @@ void add_joint(std::vector<Path>& pieces, const Eigen::Vector2d& center, double 
     const SinCos turn = portable_sincos(2 * pi * i / 12);
     disc.emplace_back(center + 0.5 * width * Eigen::Vector2d(turn.cos, turn.sin));
   }
-  // Same way round as a segment's quad.
-  std::reverse(disc.begin(), disc.end());
   pieces.push_back(std::move(disc));
 }
 

@@ -19,13 +19,6 @@ Eigen::Vector3d eye_in_cloud(const PictureOptions& options,
          towards_eye(options.azimuth_deg, options.elevation_deg);
 }
 
-/// A disc as wide as the usual gap between points, so that near surfaces close and far ones do not
-/// clot.
-double disc_size(const Surfaces* surfaces) {
-  return surfaces != nullptr && surfaces->point_spacing > 0.0 ? 1.2 * surfaces->point_spacing
-                                                              : 0.018;
-}
-
 }  // namespace
 
 Image picture_of_scene(const Scene& scene, const PictureOptions& options, SceneColor color) {
@@ -41,7 +34,6 @@ Image picture_of_scan(const Scene& scene, const Scan& scan, const PictureOptions
                       CloudColor color) {
   DrawCloudOptions how;
   how.color = color;
-  how.point_m = 0.018;
   how.sheet_normals = sheets_of_scan(scan, scene);
   how.towards_eye = eye_in_cloud(options, scan.T_world_sensor);
   PointCloud cloud = cloud_with_truth(scan);
@@ -56,7 +48,6 @@ Image picture_of_cloud(const PointCloud& cloud, const PictureOptions& options, C
                        const Surfaces* surfaces, const Eigen::Isometry3d& T_world_cloud) {
   DrawCloudOptions how;
   how.color = color;
-  how.point_m = disc_size(surfaces);
   if (surfaces != nullptr) {
     how.sheet_normals = sheets_of_surfaces(*surfaces);
     how.towards_eye = eye_in_cloud(options, T_world_cloud);

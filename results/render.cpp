@@ -40,7 +40,7 @@ View framed_view(const Drawing& drawing, const RenderOptions& options, ViewKind 
     case ViewKind::perspective:
       break;
   }
-  return perspective_view(drawing.bounds, azimuth_deg, elevation_deg, aspect, share);
+  return perspective_view(places_to_frame(drawing), azimuth_deg, elevation_deg, aspect, share);
 }
 
 Projection projection_for(const Drawing& drawing, const View& view, const RenderOptions& options) {

@@ -72,16 +72,28 @@ View parallel_view(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& toward
 
 View perspective_view(const Eigen::AlignedBox3d& box, double azimuth_deg, double elevation_deg,
                       double aspect, double share) {
-  const Eigen::AlignedBox3d space = roomy(box);
+  const auto corners = corners_of(roomy(box));
+  return perspective_view(std::vector<Eigen::Vector3d>(corners.begin(), corners.end()), azimuth_deg,
+                          elevation_deg, aspect, share);
+}
+
+View perspective_view(const std::vector<Eigen::Vector3d>& places, double azimuth_deg,
+                      double elevation_deg, double aspect, double share) {
+  Eigen::AlignedBox3d space;
+  for (const Eigen::Vector3d& place : places) space.extend(place);
+  // Room enough for a single point.
+  if (space.isEmpty() || space.diagonal().norm() < 0.05) {
+    return perspective_view(roomy(space), azimuth_deg, elevation_deg, aspect, share);
+  }
   View view;
   const Axes axes = axes_of(-direction(azimuth_deg, elevation_deg), view.up);
   const double tan_y = std::tan(radians(view.vertical_fov_deg) / 2.0) * share;
   const double tan_x = std::tan(radians(view.vertical_fov_deg) / 2.0) * aspect * share;
-  // Each corner keeps the eye out of a wedge; the eye stands where the wedges of both sides meet,
+  // Each place keeps the eye out of a wedge; the eye stands where the wedges of both sides meet,
   // horizontally and vertically.
   double right = -1e300, left = -1e300, top = -1e300, bottom = -1e300;
-  for (const Eigen::Vector3d& corner : corners_of(space)) {
-    const Eigen::Vector3d c = corner - space.center();
+  for (const Eigen::Vector3d& place : places) {
+    const Eigen::Vector3d c = place - space.center();
     const double x = axes.right.dot(c), y = axes.up.dot(c), z = axes.forward.dot(c);
     right = std::max(right, x - tan_x * z);
     left = std::max(left, -x - tan_x * z);
