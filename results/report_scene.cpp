@@ -33,6 +33,10 @@ Json surface_json(const Surface& surface, std::int32_t entity, const Eigen::Isom
   json["entity"] = entity;
   json["text"] = feature_text(surface);
   json["points"] = surface.inliers.size();
+  json["area"] = short_number(surface.area.value);
+  const Eigen::Vector3d normal = T.linear() * surface.plane.normal;
+  json["normal"] = Json::array(
+      {short_number(normal.x()), short_number(normal.y()), short_number(normal.z())});
   Json vertices = Json::array();
   Json triangles = Json::array();
   Json rings = Json::array();

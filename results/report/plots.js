@@ -38,6 +38,7 @@ export function reliability(run) {
   const bars = (u) => {
     const {ctx} = u;
     ctx.save();
+    ctx.setLineDash([]);
     ctx.strokeStyle = theme('--accent');
     ctx.lineWidth = 1.5 * devicePixelRatio;
     for (const row of rows) {
@@ -53,9 +54,9 @@ export function reliability(run) {
   requestAnimationFrame(() => show(box, {
     scales: {x: {time: false, range: [0, 1]}, y: {range: [0, 1]}},
     axes: axes({label: 'stated probability'}, {label: 'share that was right'}),
-    series: [{label: 'stated', value: (u, v) => v?.toFixed(2)},
-      {label: 'right', stroke: () => theme('--accent'), width: 2, points: {show: true, size: 8}, spanGaps: true, value: (u, v) => v?.toFixed(2)},
-      {label: 'ideal', stroke: () => theme('--faint'), dash: [5, 5], points: {show: false}, value: (u, v) => v?.toFixed(2)}],
+    series: [{label: 'stated', value: (u, v) => (v == null ? '–' : v.toFixed(2))},
+      {label: 'right', stroke: () => theme('--accent'), width: 2, points: {show: true, size: 8}, spanGaps: true, value: (u, v) => (v == null ? '–' : v.toFixed(2))},
+      {label: 'ideal', stroke: () => theme('--faint'), dash: [5, 5], points: {show: false}, value: (u, v) => (v == null ? '–' : v.toFixed(2))}],
     hooks: {draw: [bars]},
   }, [x, [null, ...rows.map((r) => r.right), null], x]));
   return node;
@@ -73,9 +74,9 @@ export function stages(run) {
   requestAnimationFrame(() => show(box, {
     scales: {x: {time: false, range: [-0.6, names.length - 0.4]}, y: {range: (u, low, high) => [0, high * 1.05 || 1]}},
     axes: axes({splits: () => x, values: () => names, rotate: -35, size: 62}, {label: 'milliseconds', size: 62}),
-    series: [{label: 'stage', value: (u, v) => names[v]},
-      {label: 'slowest', stroke: () => theme('--faint'), fill: () => theme('--line'), paths, points: {show: false}, value: (u, v) => `${v?.toFixed(0)} ms`},
-      {label: 'median', stroke: () => theme('--accent'), fill: () => theme('--accent'), paths, points: {show: false}, value: (u, v) => `${v?.toFixed(0)} ms`}],
+    series: [{label: 'stage', value: (u, v) => names[v] ?? '–'},
+      {label: 'slowest', stroke: () => theme('--faint'), fill: () => theme('--line'), paths, points: {show: false}, value: (u, v) => (v == null ? '–' : `${v.toFixed(0)} ms`)},
+      {label: 'median', stroke: () => theme('--accent'), fill: () => theme('--accent'), paths, points: {show: false}, value: (u, v) => (v == null ? '–' : `${v.toFixed(0)} ms`)}],
   }, [x, sorted.map((t) => t[t.length - 1]), sorted.map((t) => t[Math.floor(t.length / 2)])]));
   return node;
 }
@@ -86,10 +87,10 @@ export function rooms(run, open) {
   const [node, box] = figure('Room by room', 'share of the things that were found; click opens the room');
   const x = run.scenes.map((_, i) => i);
   requestAnimationFrame(() => show(box, {
-    scales: {x: {time: false}, y: {range: [0, 1]}},
-    axes: axes({label: 'room'}, {label: 'found'}),
-    series: [{label: 'room', value: (u, v) => run.scenes[v]?.name},
-      {label: 'found', stroke: () => theme('--accent'), width: 0, paths: () => null, points: {show: true, size: 7, fill: () => theme('--accent')}, value: (u, v) => v?.toFixed(2)}],
+    scales: {x: {time: false, range: [-0.5, run.scenes.length - 0.5]}, y: {range: [0, 1]}},
+    axes: axes({label: 'room', incrs: [1, 2, 5, 10, 20, 50, 100, 200, 500]}, {label: 'found'}),
+    series: [{label: 'room', value: (u, v) => run.scenes[v]?.name ?? '–'},
+      {label: 'found', stroke: () => theme('--accent'), width: 0, paths: () => null, points: {show: true, size: 7, fill: () => theme('--accent')}, value: (u, v) => (v == null ? '–' : v.toFixed(2))}],
     hooks: {ready: [(u) => u.over.addEventListener('click', () => u.cursor.idx !== null && open(u.cursor.idx))]},
   }, [x, run.scenes.map((s) => (s.there ? s.found / s.there : null))]));
   return node;

@@ -68,7 +68,10 @@ export class SceneView {
     this.sun.position.set(-1, 1.5, 1);
     this.scene.add(this.camera);
     this.controls = new OrbitControls(this.camera, this.canvas);
-    this.controls.addEventListener('change', () => this.draw());
+    this.controls.addEventListener('change', () => {
+      this.openTowardsEye();
+      this.draw();
+    });
     this.addContents();
     this.frame();
     this.observer = new ResizeObserver(() => this.resize(holder));
@@ -135,9 +138,28 @@ export class SceneView {
     this.applyFaces();
   }
 
-  /** Walls and ceilings seen from behind are left out; surfaces show only where they mean something. */
+  /** Large surfaces seen from behind (near walls, the ceiling) are left out with their points, so that one sees into the room. */
+  openTowardsEye() {
+    const hidden = new Set();
+    const center = new Vector3();
+    for (const mesh of this.surfaces.children) {
+      const {id, area, normal, vertices} = mesh.userData;
+      if (!(area >= 2)) continue;
+      center.set(vertices[0], vertices[1], vertices[2]).divideScalar(1000);
+      const away = new Vector3(...normal).dot(center.sub(this.camera.position)) > 0;
+      if (away) hidden.add(id);
+      mesh.visible = !away;
+    }
+    const key = [...hidden].join();
+    if (key === this.hiddenKey) return;
+    this.hiddenKey = key;
+    const index = [];
+    this.data.plane.forEach((plane, i) => { if (!hidden.has(plane)) index.push(i); });
+    this.points.geometry.setIndex(index);
+  }
+
   applyFaces() {
-    const eye = this.camera.position;
+    this.openTowardsEye();
     const shown = this.mode === 'prediction';
     const chosen = this.entityOf.get(this.selected);
     const parts = new Set(chosen ? chosen.surfaces : []);
@@ -162,7 +184,7 @@ export class SceneView {
     const at = new Vector2(2 * (event.clientX - box.left) / box.width - 1, 1 - 2 * (event.clientY - box.top) / box.height);
     const ray = new Raycaster();
     ray.setFromCamera(at, this.camera);
-    const hits = ray.intersectObjects(this.surfaces.children, false);
+    const hits = ray.intersectObjects(this.surfaces.children.filter((mesh) => mesh.visible), false);
     // The nearest thing that has a name goes before the nearest surface: rooms have walls in front.
     const named = hits.find((h) => (this.entityOf.get(h.object.userData.entity)?.class ?? 0) > 3);
     const hit = named ?? hits[0];
