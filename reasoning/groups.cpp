@@ -9,6 +9,7 @@ namespace {
 
 constexpr double pair_gate = 0.3;
 constexpr double seed_belief = 0.3;
+constexpr std::size_t most_members = 32;  // the closure looks at all pairs
 
 double pair_value(const Clause& clause, const Item& a, const Item& b, const Surrounding& around) {
   double product = 1.0;
@@ -75,7 +76,7 @@ std::vector<GroupFound> build_groups(const std::vector<Item>& items, const std::
     std::vector<std::size_t> members = {s};
     std::vector<double> weakest = {1.0};
     for (const auto& candidate : near) {
-      if (static_cast<int>(members.size()) >= clause.count_high && clause.count_high < 64) break;
+      if (static_cast<int>(members.size()) >= clause.count_high || members.size() >= most_members) break;
       double value = candidate.value;
       for (std::size_t k = 1; k < members.size() && value >= pair_gate; ++k) {
         value = std::min(value, pair_value(clause, items[sorted[candidate.index].item], items[sorted[members[k]].item],

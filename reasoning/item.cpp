@@ -88,16 +88,19 @@ std::vector<Item> make_items(const Surfaces& surfaces, const Eigen::Matrix3d& R)
         item.box.extend(R * (surface.T_cloud_surface * Eigen::Vector3d(p.x(), p.y(), 0.0)));
       }
     }
-    if (item.box.isEmpty()) {
+    const auto extend_by_rectangle = [&] {
       for (const double a : {-1.0, 1.0}) {
         for (const double b : {-1.0, 1.0}) {
           item.box.extend(item.center + a * item.half_length * item.along + b * item.half_width * item.across);
         }
       }
-    }
+    };
+    if (item.box.isEmpty()) extend_by_rectangle();
     item.z_low = item.box.min().z();
     item.z_high = item.box.max().z();
     item.z = item.center.z();
+    // From here on the box holds the whole rectangle, so that it bounds every distance from below.
+    extend_by_rectangle();
     const double lean = std::sqrt(std::max(0.0, 1.0 - item.normal.z() * item.normal.z()));
     item.z_sigma = std::hypot(item.offset_sigma, lean * std::max(item.extension.sigma, item.width.sigma));
     item.height = {item.z_high - item.z_low, std::max(item.z_sigma, 0.5 * edge),
@@ -152,8 +155,12 @@ Item make_group(const std::vector<Item>& items, std::vector<std::int32_t> member
     group.z_sigma = std::max(group.z_sigma, item.z_sigma);
     group.has_shape = group.has_shape && item.has_shape;
   }
-  group.z_low = group.box.min().z();
-  group.z_high = group.box.max().z();
+  group.z_low = INFINITY;
+  group.z_high = -INFINITY;
+  for (const auto m : members) {
+    group.z_low = std::min(group.z_low, items[m].z_low);
+    group.z_high = std::max(group.z_high, items[m].z_high);
+  }
   group.z = 0.5 * (group.z_low + group.z_high);
   group.center = along * (0.5 * (low_a + high_a)) + across * (0.5 * (low_b + high_b)) + Eigen::Vector3d::UnitZ() * group.z;
   group.centroid = group.center;

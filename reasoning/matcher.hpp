@@ -2,11 +2,13 @@
 // From items and descriptions to beliefs: candidates by their own features, then relations in the order of need, then groups.
 
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "reasoning/item.hpp"
 #include "reasoning/ontology.hpp"
 #include "reasoning/relation.hpp"
+#include "reasoning/unary_index.hpp"
 
 namespace scanchor {
 
@@ -59,6 +61,7 @@ class Matcher {
   };
   [[nodiscard]] ClauseValue evaluate_unary(const Clause& clause, std::int32_t item) const;
   [[nodiscard]] ClauseValue evaluate_relation(const Clause& clause, std::int32_t item) const;
+  [[nodiscard]] int target_class(const Clause& clause) const;
   [[nodiscard]] ClauseValue evaluate_largest(int class_index, std::int32_t item) const;
   void evaluate_class(int class_index);
   void evaluate_context(int class_index);
@@ -72,6 +75,8 @@ class Matcher {
   std::size_t surface_count_ = 0;
   std::vector<std::vector<Clause>> clauses_;
   std::vector<int> group_clause_;
+  std::unordered_map<std::string, int> class_of_name_;  ///< looked up, never walked through
+  UnaryIndex index_;
   std::vector<std::vector<Candidate>> candidates_;
   std::vector<std::vector<Target>> targets_;  ///< of a class, falling belief
   std::vector<Evidence> horizontal_, vertical_, rectangular_;  ///< of each surface

@@ -78,8 +78,15 @@ struct Clause {
   double hit_rate = -1.0;    ///< P(clause holds | class), alpha
   double background = -1.0;  ///< P(clause holds | any other entity), beta
   SourcePlace place;
-  std::string comment;       ///< text behind '#', for the formatter
+  // For the formatter:
+  std::string written_target;              ///< of a group, in its plural
+  std::string comment;                     ///< text behind '#'
+  std::vector<std::string> comments;       ///< lines in front; blank_line stands for an empty one
+  std::vector<std::string> pair_comments;  ///< one a pair relation
 };
+
+/// Stands for an empty line among comments.
+inline constexpr std::string_view blank_line = "\f";
 
 struct ClassDescription {
   std::vector<std::string> names;  ///< the first is the one that is reported, the others are synonyms

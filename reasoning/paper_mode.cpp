@@ -209,7 +209,8 @@ Labelling reason_as_paper(const Surfaces& surfaces, const Ontology& ontology, co
   }
   for (const auto& item : paper.items) {
     Entity entity = make_entity(item, R.transpose());
-    // S14: of several classes under delta the most likely one is the label.
+    // S14: of several classes under delta the most likely one is the label; of nearly equal ones that with the longest
+    // description, since a few words fit almost everything ("board" fits every desk).
     for (std::size_t c = 0; c < ontology.classes.size(); ++c) {
       const auto& own = paper.likelihood[c];
       if (static_cast<std::size_t>(item.id) < own.size() && own[item.id] > 0.0) {
@@ -220,8 +221,15 @@ Labelling reason_as_paper(const Surfaces& surfaces, const Ontology& ontology, co
                      [](const auto& a, const auto& b) { return a.probability > b.probability; });
     entity.label = "unknown";
     if (!entity.classes.empty()) {
-      entity.label = entity.classes.front().name;
-      entity.probability = entity.classes.front().probability;
+      const double best = entity.classes.front().probability;
+      std::size_t longest = 0;
+      for (const auto& c : entity.classes) {
+        const std::size_t length = all_clauses(ontology, ontology.find(c.name)).size();
+        if (c.probability < best - options.ambiguity_margin || length <= longest) continue;
+        longest = length;
+        entity.label = c.name;
+        entity.probability = c.probability;
+      }
       entity.proof = paper.match(ontology.find(entity.label), item.id).proof;
     } else {
       entity.classes.push_back({"unknown", 1.0});
@@ -239,7 +247,6 @@ Labelling reason_as_paper(const Surfaces& surfaces, const Ontology& ontology, co
       entity.surfaces.push_back(m);
     }
   }
-  static_cast<void>(options);
   return labelling;
 }
 

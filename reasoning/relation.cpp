@@ -44,7 +44,8 @@ double height_sigma(const Item& a, const Item& b, const Surrounding& around) {
 }
 
 double overlap_likelihood(const Item& a, const Item& b) {
-  return lower_likelihood(footprint_overlap(a.footprint, b.footprint), 0.3, 0.1);
+  const double overlap = footprint_overlap(a.footprint, b.footprint);
+  return overlap > 0.0 ? lower_likelihood(overlap, 0.3, 0.1) : 0.0;  // nothing in common is certain, not three deviations
 }
 
 Evidence above(const Item& a, const Item& b, const Surrounding& around) {
@@ -114,6 +115,8 @@ Evidence aligned(const Item& a, const Item& b) {
   const double distance = (a.center - b.center).head<2>().norm() / size;
   const double measured = std::sqrt(sqr(a.extension.sigma) + sqr(b.extension.sigma)) / size;
   double value = upper_likelihood(distance, 0.15, std::hypot(measured, 0.05));
+  // Stacked (S22): two things in one place are not one above the other.
+  value *= lower_likelihood(std::abs(a.z - b.z), 0.05, std::sqrt(sqr(a.z_sigma) + sqr(b.z_sigma) + sqr(0.01)));
   const bool elongated = a.half_length > 1.3 * a.half_width && b.half_length > 1.3 * b.half_width;
   if (elongated && value > 1e-6) {
     const double turn = angle_between(a.along, b.along);

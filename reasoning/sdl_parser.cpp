@@ -1,130 +1,17 @@
 #include "reasoning/sdl_parser.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <cstdlib>
 #include <string_view>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "reasoning/sdl_lexer.hpp"
 #include "reasoning/sdl_words.hpp"
 
 namespace scanchor {
 
-void fail_sdl(const std::string& text, const std::string& file, SourcePlace place, const std::string& cause,
-              const std::string& remedy) {
-  std::size_t begin = 0;
-  for (int line = 1; line < place.line && begin < text.size(); ++line) {
-    const std::size_t end = text.find('\n', begin);
-    begin = end == std::string::npos ? text.size() : end + 1;
-  }
-  std::string line = text.substr(begin, text.find('\n', begin) - begin);
-  while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
-  std::replace(line.begin(), line.end(), '\t', ' ');
-  std::string message = file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": " + cause;
-  if (!remedy.empty()) message += "; " + remedy;
-  message += "\n  " + line + "\n  " + std::string(std::max(0, place.column - 1), ' ') + "^";
-  throw Error(ExitCode::bad_data, message);
-}
-
 namespace {
-
-struct Token {
-  enum class Kind { word, number, dots, comma, colon, other, end };
-  Kind kind = Kind::end;
-  std::string text;
-  double value = 0.0;
-  int column = 1;
-};
-
-struct Line {
-  std::vector<Token> tokens;  // ends with an `end` token
-  int number = 0;
-  int indent = 0;
-  std::string comment;
-  bool has_comment = false;
-};
-
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '/' || c == '\'' ||
-         static_cast<unsigned char>(c) >= 0x80;
-}
-
-Token scan_number(std::string_view line, std::size_t& i) {
-  Token token;
-  token.kind = Token::Kind::number;
-  const std::size_t begin = i;
-  while (i < line.size() && is_digit(line[i])) ++i;
-  if (i + 1 < line.size() && line[i] == '.' && is_digit(line[i + 1])) {
-    ++i;
-    while (i < line.size() && is_digit(line[i])) ++i;
-  }
-  token.text = std::string(line.substr(begin, i - begin));
-  token.value = std::strtod(token.text.c_str(), nullptr);
-  return token;
-}
-
-Line scan_line(std::string_view line, int number) {
-  Line result;
-  result.number = number;
-  std::size_t i = 0;
-  while (i < line.size() && (line[i] == ' ' || line[i] == '\t')) {
-    result.indent += line[i] == '\t' ? 4 : 1;
-    ++i;
-  }
-  while (i < line.size()) {
-    const char c = line[i];
-    if (c == ' ' || c == '\t' || c == '\r') {
-      ++i;
-      continue;
-    }
-    if (c == '#') {
-      std::string comment(line.substr(i + 1));
-      while (!comment.empty() && std::isspace(static_cast<unsigned char>(comment.back())) != 0) comment.pop_back();
-      if (!comment.empty() && comment.front() == ' ') comment.erase(0, 1);
-      result.comment = comment;
-      result.has_comment = true;
-      break;
-    }
-    Token token;
-    const int column = static_cast<int>(i) + 1;
-    if (is_digit(c)) {
-      token = scan_number(line, i);
-    } else if (line.substr(i, 2) == "..") {
-      token.kind = Token::Kind::dots;
-      token.text = "..";
-      i += 2;
-    } else if (is_word(c)) {
-      const std::size_t begin = i;
-      while (i < line.size() && is_word(line[i])) ++i;
-      token.kind = Token::Kind::word;
-      token.text = std::string(line.substr(begin, i - begin));
-    } else {
-      token.kind = c == ',' ? Token::Kind::comma : c == ':' ? Token::Kind::colon : Token::Kind::other;
-      token.text = std::string(1, c);
-      ++i;
-    }
-    token.column = column;
-    result.tokens.push_back(std::move(token));
-  }
-  Token end;
-  end.column = result.tokens.empty() ? static_cast<int>(line.size()) + 1
-                                     : result.tokens.back().column + static_cast<int>(result.tokens.back().text.size());
-  result.tokens.push_back(end);
-  return result;
-}
-
-std::vector<std::string> split_words(std::string_view words) {
-  std::vector<std::string> result;
-  for (std::size_t i = 0; i < words.size();) {
-    const std::size_t end = std::min(words.find(' ', i), words.size());
-    result.emplace_back(words.substr(i, end - i));
-    i = end + 1;
-  }
-  return result;
-}
 
 class Parser {
  public:
@@ -143,6 +30,7 @@ class Parser {
       begin = end + 1;
       if (line_.tokens.size() == 1) {
         if (line_.has_comment) comments.push_back(line_.comment);
+        if (!line_.has_comment && !comments.empty()) comments.emplace_back(blank_line);
         continue;
       }
       if (line_.indent == 0) {
@@ -153,6 +41,7 @@ class Parser {
       comments.clear();
     }
     finish_class(ontology);
+    while (!comments.empty() && comments.back() == blank_line) comments.pop_back();
     ontology.closing_comments = comments;
     return ontology;
   }
@@ -221,7 +110,7 @@ class Parser {
       if (accept_words("is a") || accept_words("is an")) {
         description.parent = name({"is", "part"});
       } else if (accept_words("part of")) {
-        if (!accept("a")) accept("an");
+        if ((at_word("a") || at_word("an")) && peek(1).kind == Token::Kind::word) take();
         description.part_of = name({"is", "part"});
       } else {
         fail(peek(), "expected 'is a', 'part of' or ':', found '" + peek().text + "'");
@@ -264,8 +153,8 @@ class Parser {
       return;
     }
     Clause clause = parse_clause();
-    for (const auto& comment : comments) clause.comment += (clause.comment.empty() ? "" : " ") + comment;
-    if (!line_.comment.empty()) clause.comment += (clause.comment.empty() ? "" : " ") + line_.comment;
+    clause.comments = comments;
+    clause.comment = line_.comment;
     description.clauses.push_back(std::move(clause));
   }
 
@@ -452,7 +341,7 @@ class Parser {
       clause.count_high = count();
       if (clause.count_high < clause.count_low) fail(token, "the range of the count is empty");
     }
-    clause.target = name({});
+    clause.target = clause.written_target = name({});
     if (peek().kind == Token::Kind::comma) take();
     if (!accept_words("each pair")) fail(peek(), "a group goes on with ', each pair' and indented pair relations");
     if (peek().kind != Token::Kind::end) pair_line(clause);
@@ -477,7 +366,8 @@ class Parser {
       }
     } while (accept("and"));
     expect_end();
-    if (!line_.comment.empty()) clause.comment += (clause.comment.empty() ? "" : "; ") + line_.comment;
+    clause.pair_comments.resize(clause.pairwise.size());
+    if (clause.place.line != line_.number) clause.pair_comments.back() = line_.comment;
   }
 
   [[nodiscard]] std::string rest() const {

@@ -175,7 +175,7 @@ std::string clause_text(const Clause& clause) {
       } else {
         text += std::to_string(clause.count_low) + ".." + std::to_string(clause.count_high);
       }
-      text += " " + plural(clause.target) + ", each pair";
+      text += " " + (clause.written_target.empty() ? plural(clause.target) : clause.written_target) + ", each pair";
       std::string pairs;
       for (const auto& term : clause.pairwise) {
         for (const auto& word : relation_vocabulary()) {

@@ -1,0 +1,50 @@
+#include "reasoning/check_proof.hpp"
+
+#include <gtest/gtest.h>
+
+#include "reasoning/reason.hpp"
+#include "tests/reasoning/support/built.hpp"
+
+namespace scanchor {
+namespace {
+
+struct CheckProof : testing::Test {
+  Ontology ontology = test::shipped("office");
+  Surfaces surfaces = [] {
+    auto plates = test::paper_room();
+    for (const auto& board : test::shelf_boards(4)) plates.push_back(board);
+    return test::make_surfaces(plates);
+  }();
+  Labelling labelling = reason(surfaces, ontology, {});
+  std::size_t faults(std::int32_t entity) const { return check_proof(surfaces, ontology, labelling, entity).size(); }
+};
+
+TEST_F(CheckProof, AcceptsEveryProofOfTheMatcher) {
+  for (const auto& entity : labelling.entities) {
+    for (const auto& fault : check_proof(surfaces, ontology, labelling, entity.id)) {
+      ADD_FAILURE() << fault.entity << " " << fault.clause << ": " << fault.text;
+    }
+  }
+}
+
+TEST_F(CheckProof, FindsWhatWasForged) {
+  ASSERT_EQ(labelling.entities[7].label, "monitor");
+  const auto forged = [&](auto change) {
+    const Labelling kept = labelling;
+    change(labelling);
+    const auto found = faults(7);
+    labelling = kept;
+    return found;
+  };
+  EXPECT_GT(forged([](Labelling& l) { l.entities[7].proof[0].measured += 0.01; }), 0U);
+  EXPECT_GT(forged([](Labelling& l) { l.entities[7].proof.pop_back(); }), 0U);
+  EXPECT_GT(forged([](Labelling& l) { l.entities[7].proof[1].text = "extension 0.1..9 m"; }), 0U);
+  EXPECT_GT(forged([](Labelling& l) { l.entities[7].proof[5].targets = {1}; }), 0U) << "a wall is no desk";
+  EXPECT_GT(forged([](Labelling& l) { l.entities[7].proof[1].likelihood = 0.01; }), 0U);
+  EXPECT_GT(forged([](Labelling& l) { l.entities[7].label = "desk"; }), 0U);
+  EXPECT_GT(forged([](Labelling& l) { l.entities[6].proof[5].measured += 0.2; }), 0U) << "through the target";
+  EXPECT_EQ(check_proof(surfaces, ontology, labelling, 999).size(), 1U);
+}
+
+}  // namespace
+}  // namespace scanchor

@@ -1,0 +1,100 @@
+#include "reasoning/fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/random.hpp"
+#include "tests/reasoning/support/built.hpp"
+
+namespace scanchor {
+namespace {
+
+const char* const classes = R"(
+class slab:
+    horizontal
+    extension 0.5..1 m
+class panel:
+    vertical
+    extension 0.5..1 m
+)";
+
+/// Slabs of which one in four is too long, panels, and things that are neither.
+TrainingScene scene(std::uint64_t seed) {
+  SequentialRandom random(seed);
+  std::vector<test::Plate> plates;
+  TrainingScene result;
+  for (int i = 0; i < 60; ++i) {
+    test::Plate plate;
+    plate.center = {random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(0, 2)};
+    plate.width = 0.1;
+    const auto kind = random.below(3);
+    if (kind == 0) plate.length = random.chance(0.25) ? 2.0 : 0.75;
+    if (kind == 1) {
+      plate.normal = Eigen::Vector3d::UnitY();
+      plate.length = 0.75;
+    }
+    if (kind == 2) {
+      plate.normal = random.chance(0.5) ? Eigen::Vector3d(1, 0, 1) : Eigen::Vector3d::UnitZ();
+      plate.length = random.chance(0.2) ? 0.75 : 0.2;
+    }
+    plates.push_back(plate);
+    result.classes.push_back(kind == 0 ? "slab" : kind == 1 ? "panel" : "");
+  }
+  result.surfaces = test::make_surfaces(plates);
+  return result;
+}
+
+double log_loss(const Ontology& ontology, const std::vector<TrainingScene>& scenes) {
+  double sum = 0.0;
+  for (const auto& s : scenes) {
+    const auto labelling = reason(s.surfaces, ontology, {});
+    for (std::size_t i = 0; i < s.classes.size(); ++i) {
+      const auto& name = s.classes[i].empty() ? std::string("unknown") : s.classes[i];
+      sum -= std::log(std::max(1e-3, test::probability_of(labelling.entities[i], name)));
+    }
+  }
+  return sum;
+}
+
+TEST(Fit, CountsWhatIsThere) {
+  std::vector<TrainingScene> scenes;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) scenes.push_back(scene(seed));
+  const auto ontology = parse_ontology(classes, "x.sdl");
+  const auto background = fit_backgrounds(ontology, scenes, {}, "built scenes 1 to 12");
+  EXPECT_EQ(background.fitted_on, "built scenes 1 to 12");
+  ASSERT_EQ(background.rates.size(), 4U);
+  EXPECT_EQ(background.rates[1].clause, "extension 0.5..1 m");
+  EXPECT_NEAR(background.rates[1].hit_rate, 0.75, 0.06);
+  EXPECT_NEAR(background.priors[0].second, 1.0 / 3.0, 0.05);
+  EXPECT_NEAR(background.unknown_prior, 1.0 / 3.0, 0.05);
+  EXPECT_GT(background.rates[0].hit_rate, 0.9) << "all are, up to the 2 degrees that gravity is known to";
+
+  // On scenes that were not counted the labels are better than with the defaults.
+  std::vector<TrainingScene> held_out;
+  for (std::uint64_t seed = 101; seed <= 106; ++seed) held_out.push_back(scene(seed));
+  Ontology fitted = ontology;
+  apply_background(fitted, background);
+  EXPECT_LT(log_loss(fitted, held_out), log_loss(ontology, held_out));
+}
+
+TEST(Fit, SameScenesSameNumbers) {
+  const std::vector<TrainingScene> scenes = {scene(1), scene(2)};
+  const auto ontology = parse_ontology(classes, "x.sdl");
+  const auto a = fit_backgrounds(ontology, scenes, {}, "x");
+  const auto b = fit_backgrounds(ontology, scenes, {}, "x");
+  EXPECT_EQ(a.temperature, b.temperature);
+  EXPECT_EQ(a.rates[0].background, b.rates[0].background);
+}
+
+TEST(Fit, RefusesWhatDoesNotMatch) {
+  const auto ontology = parse_ontology(classes, "x.sdl");
+  EXPECT_THROW(fit_backgrounds(ontology, {}, {}, "x"), Error);
+  auto broken = scene(1);
+  broken.classes.pop_back();
+  EXPECT_THROW(fit_backgrounds(ontology, {broken}, {}, "x"), Error);
+}
+
+}  // namespace
+}  // namespace scanchor

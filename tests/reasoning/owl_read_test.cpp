@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "reasoning/owl.hpp"
+#include "reasoning/sdl_format.hpp"
+#include "tests/reasoning/support/built.hpp"
+
+namespace scanchor {
+namespace {
+
+#if __has_include(<serd/serd.h>)
+
+/// What the carrier keeps: everything but comments.
+std::string bare(Ontology ontology) {
+  ontology.imports.clear();
+  ontology.closing_comments.clear();
+  for (auto& description : ontology.classes) {
+    description.comments.clear();
+    description.comment.clear();
+    for (auto& clause : description.clauses) {
+      clause.comment.clear();
+      clause.comments.clear();
+      clause.pair_comments.clear();
+    }
+  }
+  return ontology_to_sdl(ontology);
+}
+
+TEST(OwlRead, RoundTripIsEqual) {
+  for (const std::string name : {"paper", "office"}) {
+    const auto ontology = test::shipped(name);
+    EXPECT_EQ(bare(ontology_from_turtle(ontology_to_turtle(ontology), name + ".ttl")), bare(ontology));
+  }
+}
+
+TEST(OwlRead, ReadsWhatOtherToolsWrite) {
+  const auto ontology = ontology_from_turtle(R"(
+@prefix : <http://example.org/own#> .
+@prefix sdl: <https://scanchor.example/sdl#> .
+@prefix owl: <http://www.w3.org/2002/07/owl#> .
+@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .
+@prefix xsd: <http://www.w3.org/2001/XMLSchema#> .
+:ground a owl:Class ; rdfs:subClassOf [ a owl:Restriction ; owl:onProperty sdl:lowest ; owl:hasValue true ] .
+:tea_table a owl:Class ;
+  rdfs:subClassOf owl:Thing ,
+    [ a owl:Restriction ; owl:onProperty sdl:area ; owl:someValuesFrom [ a rdfs:Datatype ; owl:onDatatype xsd:double ;
+        owl:withRestrictions ( [ xsd:minInclusive "0.5"^^xsd:double ] [ xsd:maxInclusive 1.5e0 ] ) ] ] ,
+    [ a owl:Restriction ; owl:onProperty sdl:parallelTo ; owl:someValuesFrom :ground ] .
+)", "own.ttl");
+  ASSERT_EQ(ontology.classes.size(), 2U);
+  EXPECT_EQ(ontology.classes[1].name(), "tea table");
+  ASSERT_EQ(ontology.classes[1].clauses.size(), 2U);
+  EXPECT_EQ(clause_text(ontology.classes[1].clauses[0]), "area 0.5..1.5 m2");
+  EXPECT_EQ(clause_text(ontology.classes[1].clauses[1]), "parallel to a ground");
+}
+
+TEST(OwlRead, RefusesWhatIsNoTurtle) {
+  EXPECT_THROW(ontology_from_turtle("class desk:\n    lowest\n", "x.ttl"), Error);
+  EXPECT_THROW(ontology_from_turtle("", "x.ttl"), Error);
+}
+
+#else
+
+TEST(OwlRead, SaysThatItIsNotBuiltIn) { EXPECT_THROW(ontology_from_turtle("", "x.ttl"), Error); }
+
+#endif
+
+}  // namespace
+}  // namespace scanchor

@@ -1,0 +1,61 @@
+#include "reasoning/sdl_format.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/file.hpp"
+#include "reasoning/ontology.hpp"
+
+namespace scanchor {
+namespace {
+
+TEST(SdlFormat, StandardForm) {
+  const std::string text = R"(# about the file
+
+axiom   floor :
+  horizontal   # level
+  lowest
+class shelf,rack part of a floor:   # head
+   # in front
+   at least 2 floors,each pair   # g
+          parallel # p
+          same size
+   extension under 200cm
+# the end)";
+  const std::string formatted = R"(# about the file
+
+axiom floor:
+    horizontal  # level
+    lowest
+
+class shelf, rack part of floor:  # head
+    # in front
+    at least 2 floors, each pair  # g
+        parallel  # p
+        same size
+    extension under 200 cm
+
+# the end
+)";
+  EXPECT_EQ(format_sdl(text, "x.sdl"), formatted);
+}
+
+TEST(SdlFormat, IdempotentAndFaithfulOnWhatIsShipped) {
+  for (const std::string name : {"paper", "office"}) {
+    const std::string path = std::string(SCANCHOR_SOURCE_DIR) + "/ontologies/" + name + ".sdl";
+    const std::string once = format_sdl(read_file(path), path);
+    EXPECT_EQ(format_sdl(once, path), once);
+    EXPECT_EQ(read_file(path), once) << path << " is not in its standard form";
+    const auto a = parse_ontology(read_file(path), path);
+    const auto b = parse_ontology(once, path);
+    ASSERT_EQ(a.classes.size(), b.classes.size());
+    for (std::size_t c = 0; c < a.classes.size(); ++c) {
+      ASSERT_EQ(a.classes[c].clauses.size(), b.classes[c].clauses.size());
+      for (std::size_t i = 0; i < a.classes[c].clauses.size(); ++i) {
+        EXPECT_EQ(clause_text(a.classes[c].clauses[i]), clause_text(b.classes[c].clauses[i]));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace scanchor
