@@ -192,14 +192,12 @@ GateReport compare_runs(const RunResult& before, const RunResult& after, const G
   }
   report.scenes = rows.size();
   if (rows.empty()) throw Error(ExitCode::nothing_measured, "the two runs have no scene in common");
-  std::vector<double> p;
   std::vector<PairedCounts> counts;
   for (const auto& name : options.metrics) {
     counts.push_back(paired_counts(name, first, second, after.protocol));
     report.gated.push_back(measure(counts.back(), alpha, options));
-    p.push_back(report.gated.back().p);
   }
-  const auto adjusted = holm_adjust(p);
+  const auto adjusted = step_down_p(counts, options.replicates, options.seed);
   bool regressed = !report.newly_failed.empty(), inconclusive = false, improved = !report.gated.empty();
   for (std::size_t i = 0; i < report.gated.size(); ++i) {
     auto& metric = report.gated[i];
@@ -211,6 +209,7 @@ GateReport compare_runs(const RunResult& before, const RunResult& after, const G
   }
   report.verdict = regressed ? Verdict::regressed : inconclusive ? Verdict::inconclusive : improved ? Verdict::improved : Verdict::not_worse;
   for (const auto& info : class_list()) {
+    if (!options.class_details) break;
     PairedCounts one = paired_counts("objects.f1." + std::string(info.name), first, second, after.protocol);
     if (one.before == one.after) continue;
     GateOptions quick = options;

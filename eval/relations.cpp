@@ -6,15 +6,15 @@
 namespace scanchor {
 namespace {
 
-auto key(const RelationFact& fact) { return std::tie(fact.relation, fact.a, fact.b); }
+auto key(const NamedRelation& fact) { return std::tie(fact.relation, fact.a, fact.b); }
 
 double ratio(std::int64_t part, std::int64_t whole) {
   return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
 }
 
 // One fact a pair; of several claims the surest.
-void keep_one_each(std::vector<RelationFact>& facts) {
-  std::stable_sort(facts.begin(), facts.end(), [](const RelationFact& a, const RelationFact& b) {
+void keep_one_each(std::vector<NamedRelation>& facts) {
+  std::stable_sort(facts.begin(), facts.end(), [](const NamedRelation& a, const NamedRelation& b) {
     return key(a) != key(b) ? key(a) < key(b) : a.probability > b.probability;
   });
   facts.erase(std::unique(facts.begin(), facts.end(), [](const auto& a, const auto& b) { return key(a) == key(b); }), facts.end());
@@ -38,13 +38,13 @@ void RelationScore::add(const RelationScore& other) {
   for (const auto& [name, counts] : other.borderline) borderline[name].add(counts);
 }
 
-RelationScore score_relations(std::vector<RelationFact> truth, std::vector<RelationFact> claims, double threshold) {
+RelationScore score_relations(std::vector<NamedRelation> truth, std::vector<NamedRelation> claims, double threshold) {
   keep_one_each(truth);
   keep_one_each(claims);
   RelationScore score;
   for (const auto& fact : truth) score.clear[fact.relation];
   std::size_t c = 0;
-  const auto claim_without_truth = [&](const RelationFact& claim) {
+  const auto claim_without_truth = [&](const NamedRelation& claim) {
     const auto known = score.clear.find(claim.relation);
     if (known == score.clear.end()) return;
     ++known->second.judged;

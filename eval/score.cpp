@@ -79,7 +79,7 @@ void require_comparable(const Score& a, const Score& b) {
 }
 
 Score score_scan(const Scan& scan, const Scene* scene, const Answer& answer, const Protocol& protocol,
-                 const std::vector<RelationFact>& relations, ObjectSummary* details) {
+                 const std::vector<NamedRelation>& relations, ObjectSummary* details) {
   PointPrediction p = answer.points;
   check_answer(scan, p);
   p.instance.resize(p.class_id.size(), -1);

@@ -45,13 +45,13 @@ struct Answer {
   const Surfaces* surfaces = nullptr;
   const Labelling* labelling = nullptr;
   std::vector<ClassId> described;        ///< classes that the method has a word for; empty: all
-  std::vector<RelationFact> relations;   ///< claims in terms of the truth's ids; empty: not scored
+  std::vector<NamedRelation> relations;   ///< claims in terms of the truth's ids; empty: not scored
 };
 
 /// Holds an answer against the truth. `scene` may be null; `relations`: true relations, empty: not scored. `details` may be null.
 /// Throws Error(bad_data) where the answer has another number of points than the scan, or says what cannot be (NaN, class that is none).
 Score score_scan(const Scan& scan, const Scene* scene, const Answer& answer, const Protocol& protocol,
-                 const std::vector<RelationFact>& relations = {}, ObjectSummary* details = nullptr);
+                 const std::vector<NamedRelation>& relations = {}, ObjectSummary* details = nullptr);
 Score score_scan(const Scan& scan, const Scene* scene, const PointPrediction& prediction, const Protocol& protocol);
 
 /// The score of a scan on which the method gave no answer: all missed, and listed with the cause.

@@ -113,6 +113,30 @@ TEST(Statistics, HolmByHand) {
   EXPECT_NEAR(adjusted[1], 0.06, 1e-12);
 }
 
+TEST(Statistics, StepDownLiesBetweenRawAndHolm) {
+  const PairedCounts a = ratio_counts(40, 0.6, 0.585, 0.1, 31), b = ratio_counts(40, 0.6, 0.59, 0.1, 32);
+  const std::vector<double> raw = {sign_flip_p(a, 2000, 5), sign_flip_p(b, 2000, 5), sign_flip_p(a, 2000, 5)};
+  const auto holm = holm_adjust(raw);
+  const auto stepped = step_down_p({a, b, a}, 2000, 5);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_GE(stepped[k], raw[k] - 1e-12);
+    EXPECT_LE(stepped[k], holm[k] + 0.02);
+  }
+  EXPECT_EQ(stepped[0], stepped[2]);
+  // The same metric twice costs nothing, where Holm would double it.
+  EXPECT_NEAR(step_down_p({a, a}, 2000, 5)[0], raw[0], 1e-12);
+}
+
+TEST(Statistics, StepDownHoldsTheErrorRateOfTheFamily) {
+  int alarms = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const auto p = step_down_p({ratio_counts(25, 0.6, 0.6, 0.1, 3 * seed + 1), ratio_counts(25, 0.6, 0.6, 0.1, 3 * seed + 2),
+                                ratio_counts(25, 0.6, 0.6, 0.1, 3 * seed + 3)}, 200, seed);
+    alarms += *std::min_element(p.begin(), p.end()) < 0.05;
+  }
+  EXPECT_LE(alarms, 20);  // 10 expected, 3.2 standard deviations
+}
+
 TEST(Statistics, LooksSpendAlphaAndNoMore) {
   const std::vector<int> planned = {50, 100, 200, 400};
   double sum = 0, before = 0;
