@@ -67,7 +67,7 @@ double Maker::size(const std::string& name, double mean, double sigma, double lo
     const double beyond = (high - low + 0.1 * mean) * random.uniform(0.05, 1.0) / 3.0;
     const bool above = random.chance(0.5);
     if (!outside) return round_to(usual, 1000.0);
-    return round_to(above ? high + beyond : std::max(0.25 * low, low - beyond), 1000.0);
+    return round_to(above ? high + beyond : std::max(0.6 * low, low - beyond), 1000.0);
   });
 }
 
@@ -96,6 +96,12 @@ int Maker::material(const std::vector<std::string>& names) {
 
 void Maker::box(const std::string& name, int material, const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
   add(box_part(name, material, 0.5 * (low + high), high - low));
+}
+
+void Maker::leg(const std::string& name, int material, double x, double y, const Eigen::Vector3d& head, double radius) {
+  const double slant = std::sqrt((head.x() - x) * (head.x() - x) + (head.y() - y) * (head.y() - y));
+  const double sine = slant / std::sqrt(slant * slant + head.z() * head.z());
+  add(cylinder_part(name, material, {x, y, glide + radius * sine}, head, radius, 8));
 }
 
 const std::vector<KindInfo>& furniture_kinds() {
@@ -128,6 +134,7 @@ Instance make_furniture(Scene& scene, const FurnitureRequest& request) {
       fail_usage("parameter '" + name + "' of a " + request.kind + " must lie in 0 .. 100");
     }
   }
+  instance.loose = entry.info.loose;
   Maker maker(scene, request, instance);
   entry.make(maker);
   for (const auto& [name, value] : request.parameters) {
@@ -137,7 +144,6 @@ Instance make_furniture(Scene& scene, const FurnitureRequest& request) {
     fail_usage("a " + request.kind + " ('" + instance.variant + "') has no parameter '" + name + "'",
                suggestion(name, known));
   }
-  instance.loose = entry.info.loose;
   instance.mass = mass_of(instance, entry.info.density);
   return instance;
 }

@@ -11,13 +11,33 @@ namespace {
 
 struct Family {
   const char* name;
-  RoomPlan (*plan)(Scene& scene, SequentialRandom& random, const RoomOptions& options);
+  PlanRoom plan;  // null: a floor of several rooms
   Furnish furnish;
 };
 
 constexpr Family families[] = {
     {"office", plan_office, furnish_office},
+    {"open-plan office", plan_open_plan, furnish_open_plan},
+    {"meeting room", plan_meeting, furnish_meeting},
+    {"laboratory", plan_laboratory, furnish_laboratory},
+    {"storage aisle", plan_storage, furnish_storage},
+    {"kitchen", plan_kitchen, furnish_kitchen},
+    {"living room", plan_living, furnish_living},
+    {"bedroom", plan_bedroom, furnish_bedroom},
+    {"corridor", plan_corridor, furnish_corridor},
+    {"floor", nullptr, nullptr},
 };
+
+/// Whether everything essential is in its place and can be walked to.
+bool build(const Family& family, Scene& scene, SequentialRandom& random, const RoomOptions& options) {
+  if (family.plan == nullptr) return build_floor(scene, random, options) && !scene.sensor_poses.empty();
+  const RoomPlan plan = family.plan(scene, random, options);
+  build_plan(scene, plan);
+  Placer placer(scene, plan.shell, options, random);
+  const bool complete = family.furnish(placer, plan) && walkable(placer, plan);
+  add_sensor_poses(placer, plan, 3);
+  return complete && !scene.sensor_poses.empty();
+}
 
 }  // namespace
 
@@ -49,12 +69,7 @@ Scene generate_room(const RoomOptions& options, std::uint64_t seed) {
     scene.seed = seed;
     scene.name = options.family + " " + std::to_string(seed);
     SequentialRandom random(stream_seed(seed, options.family, attempt));
-    const RoomPlan plan = family->plan(scene, random, used);
-    build_plan(scene, plan);
-    Placer placer(scene, plan.shell, used, random);
-    const bool complete = family->furnish(placer, plan) && walkable(placer, plan);
-    add_sensor_poses(placer, plan, 3);
-    if ((complete && !scene.sensor_poses.empty()) || attempt >= 40) return scene;
+    if (build(*family, scene, random, used) || attempt >= 40) return scene;
     used.clutter *= 0.9;
   }
 }

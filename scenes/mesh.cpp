@@ -111,7 +111,13 @@ Part lathe_part(const std::string& name, int material, const std::vector<Eigen::
                 int segments, const Eigen::Isometry3d& T_instance_part) {
   Builder builder(name, material, T_instance_part);
   std::vector<int> first(profile.size());  // first vertex of each ring; a ring of radius 0 is one vertex
+  const std::size_t last = profile.size() - 1;
+  const bool loop = profile.front() == profile.back() && profile.front().x() > 0;
   for (std::size_t k = 0; k < profile.size(); ++k) {
+    if (k == last && loop) {
+      first[k] = first[0];
+      break;
+    }
     const double r = profile[k].x();
     first[k] = static_cast<int>(builder.part.vertices.size());
     for (int s = 0; s < (r > 0 ? segments : 1); ++s) {
@@ -129,9 +135,8 @@ Part lathe_part(const std::string& name, int material, const std::vector<Eigen::
       }
     }
   };
-  const std::size_t last = profile.size() - 1;
-  if (profile[0].x() > 0) cap(0, false);
-  if (profile[last].x() > 0) cap(last, true);
+  if (profile[0].x() > 0 && !loop) cap(0, false);
+  if (profile[last].x() > 0 && !loop) cap(last, true);
   std::int32_t wall = -1;
   int rings = 0;
   for (std::size_t k = 0; k < last; ++k) {
@@ -241,11 +246,13 @@ Part panel_part(const std::string& name, int material, double width, double heig
   }
   const int nx = static_cast<int>(xs.size());
   const int nz = static_cast<int>(zs.size());
-  for (const double y : {0.0, depth}) {
+  const auto grid = [&](double y) {
     for (const double z : zs) {
       for (const double x : xs) builder.vertex({x, y, z});
     }
-  }
+  };
+  grid(0.0);
+  if (closed) grid(depth);
   const auto at = [&](int side, int i, int k) { return side * nx * nz + k * nx + i; };
   const auto solid = [&](int i, int k) {
     const double x = 0.5 * (xs[static_cast<std::size_t>(i)] + xs[static_cast<std::size_t>(i) + 1]);
@@ -282,26 +289,34 @@ Part panel_part(const std::string& name, int material, double width, double heig
   }
   for (std::size_t h = 0; h < openings.size(); ++h) {
     const Opening& o = openings[h];
+    const double reach = closed || o.depth < 0 ? depth : o.depth;
+    if (reach <= 0) continue;
     const std::string prefix = "opening " + std::to_string(h + 1) + " ";
     const int i0 = index(xs, o.low.x());
     const int i1 = index(xs, o.high.x());
     const int k0 = index(zs, o.low.y());
     const int k1 = index(zs, o.high.y());
-    const auto left = builder.face(prefix + "left", true);
-    const auto right = builder.face(prefix + "right", true);
-    for (int k = k0; k < k1; ++k) {
-      builder.quad(left, at(0, i0, k), at(1, i0, k), at(1, i0, k + 1), at(0, i0, k + 1));
-      builder.quad(right, at(1, i1, k), at(0, i1, k), at(0, i1, k + 1), at(1, i1, k + 1));
-    }
-    const auto lintel = builder.face(prefix + "lintel", true);
-    for (int i = i0; i < i1; ++i) {
-      builder.quad(lintel, at(1, i, k1), at(1, i + 1, k1), at(0, i + 1, k1), at(0, i, k1));
-    }
-    if (k0 == 0) continue;
-    const auto sill = builder.face(prefix + "sill", true);
-    for (int i = i0; i < i1; ++i) {
-      builder.quad(sill, at(0, i, k0), at(0, i + 1, k0), at(1, i + 1, k0), at(1, i, k0));
-    }
+    // A closed panel has its back vertices already; an open one gets its own behind each opening.
+    const auto back_of = [&](int i, int k) {
+      if (closed) return at(1, i, k);
+      return builder.vertex({xs[static_cast<std::size_t>(i)], reach, zs[static_cast<std::size_t>(k)]});
+    };
+    const auto strip = [&](const std::string& side, int ia, int ka, int ib, int kb) {
+      // From (ia, ka) to (ib, kb) along the rim; the opening lies on the left as seen from the front.
+      const auto face = builder.face(prefix + side, true);
+      const int di = ib > ia ? 1 : ib < ia ? -1 : 0;
+      const int dk = kb > ka ? 1 : kb < ka ? -1 : 0;
+      int last = back_of(ia, ka);
+      for (int i = ia, k = ka; i != ib || k != kb; i += di, k += dk) {
+        const int next = back_of(i + di, k + dk);
+        builder.quad(face, at(0, i, k), at(0, i + di, k + dk), next, last);
+        last = next;
+      }
+    };
+    strip("left", i0, k1, i0, k0);
+    if (k0 > 0) strip("sill", i0, k0, i1, k0);
+    strip("right", i1, k0, i1, k1);
+    strip("lintel", i1, k1, i0, k1);
   }
   Part part = builder.finish();
   part.convex = closed && openings.empty();

@@ -16,7 +16,8 @@ Part prism_part(const std::string& name, int material, const std::vector<Eigen::
                 double z0, double z1, const Eigen::Isometry3d& T_instance_part = Eigen::Isometry3d::Identity());
 
 /// (radius, z) pairs from bottom to top turned about z. Faces: "bottom" and "top" discs where the ends have a radius, "ring k" for
-/// level steps, "wall" (curved) for the rest. A radius of 0 is allowed at the ends.
+/// level steps, "wall" (curved) for the rest. A radius of 0 is allowed at the ends. A profile that
+/// ends where it began makes a ring without discs; it runs counter-clockwise seen with r to the right and z up.
 Part lathe_part(const std::string& name, int material, const std::vector<Eigen::Vector2d>& profile,
                 int segments, const Eigen::Isometry3d& T_instance_part = Eigen::Isometry3d::Identity());
 
@@ -40,10 +41,11 @@ Part turned_box_part(const std::string& name, int material, const Eigen::Vector3
 /// A rectangular opening of a panel, in the panel's x-z plane.
 struct Opening {
   Eigen::Vector2d low, high;  ///< [m] corners
+  double depth = -1.0;        ///< [m] of its reveals; negative: the panel's; 0: none (somebody else owns them)
 };
 /// A panel in the x-z plane from (0, 0, 0) to (width, depth, height) with rectangular openings that do not touch each other. Faces:
-/// "front" (-y); with `closed` also "back" (+y) and the outer sides; and four reveals "opening k left|right|sill|lintel" of depth
-/// `depth`. An opening whose low z is 0 has no sill and reaches the panel's lower edge.
+/// "front" (-y); with `closed` also "back" (+y) and the outer sides; and four reveals "opening k left|right|sill|lintel". A closed
+/// panel's reveals have its own depth. An opening whose low z is 0 has no sill and reaches the panel's lower edge.
 Part panel_part(const std::string& name, int material, double width, double height, double depth,
                 const std::vector<Opening>& openings, bool closed,
                 const Eigen::Isometry3d& T_instance_part = Eigen::Isometry3d::Identity());

@@ -14,11 +14,11 @@ namespace scanchor {
 /// The four sides of a room: south (y low), east (x high), north (y high), west (x low).
 enum class Side { south, east, north, west };
 
-/// An opening in a wall. `low` and `high` are the distance along the wall, from the left end as seen from inside, and the height.
+/// An opening in a wall: distance along the wall from its left end as seen from inside, and height. An opening that reaches the floor
+/// gets a threshold over the depth of its reveals.
 struct WallOpening {
   Side side = Side::south;
   Opening opening;
-  double depth = 0.2;   ///< [m] thickness of the wall there
 };
 
 /// A rectangular room: where it is, how high, of what.

@@ -25,10 +25,9 @@ void make_door(Maker& m) {
   const double leaf_width = 2 * (half - jamb - seam);
   const double leaf_height = height - glide - jamb - seam - 0.008;
   const bool hinge_left = m.random.chance(0.5);
-  double angle = m.number("angle_deg", 80.0, 95.0);
-  if (m.is("closed")) angle = 0.0;
-  if (m.is("ajar")) angle = 0.3 * (angle - 80.0) * 10.0 / 3.0 + 8.0;  // 8 .. 23 degrees
-  m.instance.parameters["angle_deg"] = angle;
+  double angle = 0.0;
+  if (m.is("ajar")) angle = m.number("angle_deg", 8.0, 23.0);
+  if (m.is("open")) angle = m.number("angle_deg", 80.0, 95.0);
   const double side = hinge_left ? 1.0 : -1.0;
   const Eigen::Isometry3d swing = pose_at({-side * 0.5 * leaf_width, 0.0, 0.008}, -side * radians(angle));
   const auto hang = [&](Part part) {
@@ -42,7 +41,7 @@ void make_door(Maker& m) {
     const std::string where = s < 0 ? "inner" : "outer";
     hang(box_part(where + " rose", metal, {x, y + s * 0.003, 1.04}, {0.04, 0.01, 0.16}));
     hang(box_part(where + " neck", metal, {x, y + s * 0.025, 1.05}, {0.018, 0.045, 0.018}));
-    hang(box_part(where + " handle", metal, {x - side * 0.05, y + s * 0.05, 1.051}, {0.13, 0.016, 0.022}));
+    hang(box_part(where + " handle", metal, {x - side * 0.05, y + s * 0.05, 1.0505}, {0.13, 0.016, 0.024}));
   }
 }
 
@@ -102,7 +101,8 @@ void make_radiator(Maker& m) {
     m.box("panel", paint, {-0.5 * width, y0, z}, {0.5 * width, y1, z + height});
   }
   for (const double s : {-1.0, 1.0}) {
-    const double x = s * (0.5 * width - 0.12);
+    double x = s * (0.5 * width - 0.12);
+    if (m.is("ribs")) x = -0.5 * width + 0.023 + 0.06 * (s < 0 ? 1 : static_cast<int>(width / 0.06) - 2);  // behind a rib
     m.box(s < 0 ? "left bracket" : "right bracket", paint, {x - 0.015, y1 - 0.03, z + 0.1}, {x + 0.015, -0.003, z + height - 0.1});
   }
 }

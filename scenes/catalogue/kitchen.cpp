@@ -1,25 +1,28 @@
 // Kitchen: worktops 900 mm high, 600 mm modules (EN 1116); appliances as makers size them for them.
 
+#include <algorithm>
+
 #include "scenes/catalogue/maker.hpp"
 
 namespace scanchor {
 namespace {
 
+constexpr double slab = 0.038;  // [m] worktop
+
 /// A base unit of the kitchen grid: plinth, body, fronts, worktop with an overhang.
-void base_units(Maker& m, double width, double depth, double height, bool with_top) {
+void base_units(Maker& m, double width, double depth, double height, double body_top, bool with_top) {
   const int body = m.material({"melamine white", "melamine grey", "beech"});
   const int metal = m.material({"stainless steel", "aluminium"});
   const int top = m.material({"oak", "melamine grey", "beech", "concrete"});
-  const double slab = 0.038;
   const double y = -0.5 * depth + 0.04;
   m.box("plinth", body, {-0.5 * width + 0.003, y + 0.05, glide}, {0.5 * width - 0.003, 0.5 * depth - 0.02, 0.1 + joint});
-  m.box("body", body, {-0.5 * width, y, 0.1}, {0.5 * width, 0.5 * depth - 0.003, height - slab + joint});
+  m.box("body", body, {-0.5 * width + 0.0015, y, 0.1}, {0.5 * width - 0.0015, 0.5 * depth - 0.003, body_top});
   const int units = std::max(1, static_cast<int>(width / 0.55));
   const double unit = width / units;
   for (int i = 0; i < units; ++i) {
     const std::string number = std::to_string(i + 1);
-    const double x0 = -0.5 * width + unit * i + 0.002;
-    const double x1 = x0 + unit - 0.004;
+    const double x0 = -0.5 * width + unit * i + 0.004;
+    const double x1 = x0 + unit - 0.008;
     m.box("door " + number, body, {x0, y - 0.018, 0.105}, {x1, y + joint, height - slab - 0.01});
     m.box("handle " + number, metal, {0.5 * (x0 + x1) - 0.08, y - 0.05, height - 0.12}, {0.5 * (x0 + x1) + 0.08, y - 0.018 + joint, height - 0.108});
   }
@@ -30,7 +33,7 @@ void make_counter(Maker& m) {
   const double width = m.series("width", {0.6, 0.9, 1.2, 1.5, 1.8});
   const double depth = m.series("depth", {0.6, 0.6, 0.65});
   const double height = m.size("height", 0.91, 0.015, 0.85, 0.96);
-  base_units(m, width, depth, height, true);
+  base_units(m, width, depth, height, height - slab + joint, true);
   if (m.is("with hob")) m.box("hob", m.material({"screen"}), {-0.29, -0.26, height - joint}, {0.29, 0.25, height + 0.006});
   if (m.is("with wall units")) {
     const int body = m.material({"melamine white", "melamine grey", "beech"});
@@ -43,12 +46,12 @@ void make_sink(Maker& m) {
   const double width = m.series("width", {0.8, 1.0, 1.2});
   const double depth = 0.6;
   const double height = m.size("height", 0.91, 0.015, 0.85, 0.96);
-  base_units(m, width, depth, height - 0.004, false);
+  const double body_top = height - 0.24;
+  base_units(m, width, depth, height, body_top, false);
   // A worktop with the basin cut out, and the basin below it.
   const int steel = m.material({"stainless steel"});
   const double basin = 0.34;
   const double cx = m.is("with drainer") ? -0.5 * width + 0.28 : 0.0;
-  const double slab = 0.038;
   // The panel is made standing and laid down: its x-z plane becomes the x-y plane, its front the top.
   Eigen::Matrix3d lay;
   lay << 1, 0, 0, 0, 0, 1, 0, -1, 0;
@@ -56,7 +59,19 @@ void make_sink(Maker& m) {
   m.add(panel_part("worktop", steel, width, depth, slab, {hole}, true, pose_at({-0.5 * width, -0.5 * depth, height}, lay)));
   const double y0 = -0.5 * depth + 0.12;
   const double y1 = y0 + 0.36;
-  m.box("basin floor", steel, {cx - 0.5 * basin - joint, y0 - joint, height - 0.2}, {cx + 0.5 * basin + joint, y1 + joint, height - 0.19});
+  const double half = 0.5 * basin;
+  for (const double s : {-1.0, 1.0}) {
+    const std::string side = s < 0 ? "left " : "right ";
+    const double x = cx + s * (half + 0.005);
+    m.box(side + "basin wall", steel, {x - 0.003, y0 - 0.0035, height - 0.198}, {x + 0.003, y1 + 0.0035, height - slab + joint});
+    const double y = s < 0 ? y0 - 0.005 : y1 + 0.005;
+    m.box(s < 0 ? "front basin wall" : "back basin wall", steel, {cx - half - 0.0035, y - 0.003, height - 0.1965},
+          {cx + half + 0.0035, y + 0.003, height - slab + 0.0035});
+    // The unit's sides stand above its body, which ends below the basin.
+    const double edge = s * (0.5 * width - 0.011);
+    m.box(side + "side", steel, {edge - 0.008, -0.5 * depth + 0.044, body_top - joint}, {edge + 0.008, 0.5 * depth - 0.0045, height - slab + joint});
+  }
+  m.box("basin floor", steel, {cx - half - 0.005, y0 - 0.005, height - 0.2}, {cx + half + 0.005, y1 + 0.005, height - 0.194});
   // The tap.
   m.add(cylinder_part("tap", steel, {cx, 0.5 * depth - 0.07, height - 0.01}, {cx, 0.5 * depth - 0.07, height + 0.25}, 0.014, 10));
   m.add(cylinder_part("spout", steel, {cx, 0.5 * depth - 0.07, height + 0.24}, {cx, 0.5 * depth - 0.25, height + 0.22}, 0.011, 10));
@@ -123,8 +138,7 @@ void make_microwave(Maker& m) {
 }
 
 void make_dishwasher(Maker& m) {
-  const double width = m.is("slim") ? 0.448 : 0.598;
-  m.instance.parameters["width"] = width;
+  const double width = m.series("width", {m.is("slim") ? 0.448 : 0.598});
   appliance(m, width, 0.6, 0.845 - glide, glide, m.material({"enamel white", "stainless steel"}), m.material({"enamel white", "stainless steel"}), false);
 }
 

@@ -31,15 +31,15 @@ void make_box(Maker& m) {
     m.box("box", card, {-h.x(), -h.y(), 0.0}, {h.x(), h.y(), size.z()});
     return;
   }
-  const double t = m.is("plastic crate") ? 0.004 : 0.006;
-  m.box("bottom", card, {-h.x() + t - joint, -h.y() + t - joint, 0.0}, {h.x() - t + joint, h.y() - t + joint, 0.008});
+  const double t = 0.006;
+  m.box("bottom", card, {-h.x() + 0.5 * t, -h.y() + 0.002 + 0.5 * t, 0.0}, {h.x() - 0.5 * t, h.y() - 0.002 - 0.5 * t, 0.008});
   for (const double s : {-1.0, 1.0}) {
     const double x = s * (h.x() - 0.5 * t);
     m.box(s < 0 ? "left wall" : "right wall", card, {x - 0.5 * t, -h.y(), 0.002}, {x + 0.5 * t, h.y(), size.z()});
   }
   for (const double s : {-1.0, 1.0}) {
     const double y = s * (h.y() - 0.002 - 0.5 * t);
-    m.box(s < 0 ? "front wall" : "back wall", card, {-h.x() + t - joint, y - 0.5 * t, 0.004}, {h.x() - t + joint, y + 0.5 * t, size.z() - 0.002});
+    m.box(s < 0 ? "front wall" : "back wall", card, {-h.x() + t - 0.0015, y - 0.5 * t, 0.004}, {h.x() - t + 0.0015, y + 0.5 * t, size.z() - 0.002});
   }
   if (m.is("plastic crate")) return;
   // Two flaps stand out to the sides.
@@ -49,7 +49,7 @@ void make_box(Maker& m) {
     const Eigen::Vector3d hinge(s * (h.x() - 0.5 * t), 0, size.z() - 0.003);
     const double reach = 0.45 * size.y();
     m.add(turned_box_part(s < 0 ? "left flap" : "right flap", card, hinge + turn * Eigen::Vector3d(0.5 * reach, 0, 0),
-                          {reach, size.y() - 0.006, 0.004}, turn));
+                          {reach, size.y() - 0.010, 0.004}, turn));
   }
 }
 
@@ -77,9 +77,9 @@ void pallet(Maker& m, int wood, double length, double width, double z) {
   const double k = length / 1.2;
   const double w = width / 0.8;
   const double t = 0.022;
-  static constexpr double rows[] = {-0.3275, 0.0, 0.3275};
+  static constexpr double rows[] = {-0.35, 0.0, 0.35};
   static constexpr double foot[] = {0.1, 0.145, 0.1};
-  static constexpr double deck[] = {-0.3275, -0.1675, 0.0, 0.1675, 0.3275};
+  static constexpr double deck[] = {-0.3275, -0.16375, 0.0, 0.16375, 0.3275};
   static constexpr double board[] = {0.145, 0.1, 0.145, 0.1, 0.145};
   const auto low = [&](double x, double y, double a, double b, double z0) { return Eigen::Vector3d(x - 0.5 * a, y - 0.5 * b, z + z0); };
   const auto high = [&](double x, double y, double a, double b, double z1) { return Eigen::Vector3d(x + 0.5 * a, y + 0.5 * b, z + z1); };
@@ -125,7 +125,7 @@ void make_pallet_rack(Maker& m) {
   const int post = m.material({"steel blue", "steel painted"});
   const int beam = m.material({"steel orange"});
   const int deck = m.material({"raw wood", "melamine grey", "stainless steel"});
-  const double first = m.is("floor bay") ? pitch + 0.2 : 0.12;
+  const double first = m.is("floor bay") ? pitch + 0.2 : 0.16;
   const double height = first + pitch * (levels - 1) + 0.5;
   m.instance.parameters["first_level"] = first;
   const double s = 0.1;
@@ -171,7 +171,7 @@ void make_trolley(Maker& m) {
       const double x = sx * (0.5 * width - 0.07);
       const double y = sy * (0.5 * length - 0.12);
       const std::string id = std::to_string(++number);
-      m.add(cylinder_part("wheel " + id, rubber, {x - 0.016, y, 0.062 + glide}, {x + 0.016, y, 0.062 + glide}, 0.062, 14));
+      m.add(cylinder_part("wheel " + id, rubber, {x - 0.016, y, 0.062 + glide}, {x + 0.016, y, 0.062 + glide}, 0.062, 16));
       m.box("fork " + id, metal, {x - 0.022, y - 0.02, 0.055}, {x + 0.022, y + 0.02, z + joint});
     }
   }

@@ -23,7 +23,7 @@ class Maker {
   Maker(Scene& scene, const FurnitureRequest& request, Instance& instance);
 
   /// A length [m]: normal, cut to [low, high], rounded to the millimetre; with the request's probability of the unusual it falls up to a
-  /// third of the range outside instead (never below a quarter of `low`).
+  /// third of the range outside instead (never below 0.6 of `low`).
   double size(const std::string& name, double mean, double sigma, double low, double high);
   /// One of a series of standard sizes.
   double series(const std::string& name, const std::vector<double>& values);
@@ -39,6 +39,8 @@ class Maker {
   /// Box by its corners.
   void box(const std::string& name, int material, const Eigen::Vector3d& low, const Eigen::Vector3d& high);
   void add(Part part) { instance.parts.push_back(std::move(part)); }
+  /// A round leg that slants from the floor at (x, y) to `head`; its lowest point stands on the glide.
+  void leg(const std::string& name, int material, double x, double y, const Eigen::Vector3d& head, double radius);
 
   SequentialRandom random;
   Instance& instance;

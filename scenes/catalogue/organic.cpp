@@ -18,10 +18,10 @@ void make_waste_bin(Maker& m) {
   const int body = m.material({"plastic black", "plastic grey", "stainless steel"});
   if (m.is("square")) {
     const double a = r;
-    m.box("bottom", body, {-a + joint, -a + joint, 0.002}, {a - joint, a - joint, 0.012});
+    m.box("bottom", body, {-a + 0.0005, -a + 0.0005, 0.002}, {a - 0.0005, a - 0.0005, 0.012});
     for (const double s : {-1.0, 1.0}) {
       m.box(s < 0 ? "left wall" : "right wall", body, {s * a - 0.004, -a - 0.0025, 0.0}, {s * a + 0.004, a + 0.0025, height});
-      m.box(s < 0 ? "front wall" : "back wall", body, {-a + joint, s * a - 0.004 - 0.0, 0.004}, {a - joint, s * a + 0.004, height - 0.002});
+      m.box(s < 0 ? "front wall" : "back wall", body, {-a + joint, s * a - 0.004, 0.004}, {a - joint, s * a + 0.004, height - 0.002});
     }
     return;
   }
@@ -100,7 +100,10 @@ void make_plant(Maker& m) {
       const double a = m.random.uniform(0.3, 0.5) * height;
       const SinCos sc = portable_sincos(2.0 * pi * i / 5.0 + m.random.uniform(0.0, 1.0));
       const Eigen::Vector3d c(0.7 * r * sc.cos, 0.7 * r * sc.sin, z + 0.5 * (height - z) + m.random.uniform(-0.15, 0.15) * height);
-      m.add(cushion_part("foliage " + std::to_string(i + 1), leaf, c, {0.8 * a, 0.8 * a, a}, 1.0, 10));
+      // Each turned its own way: like facets of like balls would be parallel.
+      Part ball = cushion_part("foliage " + std::to_string(i + 1), leaf, Eigen::Vector3d::Zero(), {0.8 * a, 0.8 * a, a}, 1.0, 10);
+      ball.T_instance_part = pose_at(c, rotation_about(2, m.random.uniform(0.0, 3.0)) * rotation_about(0, m.random.uniform(-0.5, 0.5)));
+      m.add(std::move(ball));
     }
     m.add(cylinder_part("stem", stem, {0, 0, 0.8 * z}, {0, 0, 0.6 * height}, 0.015, 6));
     return;

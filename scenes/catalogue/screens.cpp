@@ -31,14 +31,15 @@ void make_monitor(Maker& m) {
   if (m.is("arm")) {
     // Clamped to the back edge of the desk, which lies at y = reach.
     const double reach = m.size("reach", 0.3, 0.05, 0.2, 0.4);
-    m.add(cylinder_part("post", plastic, {0, reach, glide}, {0, reach, z + 0.05}, 0.018, 12));
-    m.add(cylinder_part("arm", plastic, {0, 0.012, z}, {0, reach, z}, 0.016, 10));
+    m.instance.loose = false;
+    m.add(cylinder_part("post", plastic, {0, reach, 0.008}, {0, reach, z + 0.05}, 0.018, 12));
+    m.add(cylinder_part("arm", plastic, {0, 0.003, z}, {0, reach, z}, 0.016, 10));
     m.add(lathe_part("clamp", plastic, {{0.045, glide}, {0.045, 0.02}}, 12, pose_at({0, reach, 0})));
     return;
   }
   const int foot = m.material({"plastic black", "aluminium"});
   const double deep = m.size("foot_depth", 0.2, 0.02, 0.16, 0.25);
-  m.box("column", foot, {-0.03, 0.02, 0.012 - joint}, {0.03, 0.05, z});
+  m.box("column", foot, {-0.03, 0.0, 0.012 - joint}, {0.03, 0.035, z});
   if (m.is("round stand")) {
     m.add(lathe_part("foot", foot, {{0.12, 0.0}, {0.12, 0.012}}, 20, pose_at({0, 0.01, 0})));
   } else {
@@ -60,7 +61,7 @@ void make_laptop(Maker& m) {
   }
   const double open = m.number("opening_deg", 95.0, 125.0);
   const Eigen::Matrix3d lean = rotation_about(0, -radians(open - 90.0));
-  const Eigen::Vector3d hinge(0, 0.5 * depth - 0.008, 0.02);
+  const Eigen::Vector3d hinge(0, 0.5 * depth - 0.008, 0.016);
   m.add(turned_box_part("screen", screen, hinge + lean * Eigen::Vector3d(0, 0, 0.5 * depth), {width - 0.004, 0.007, depth}, lean));
 }
 
@@ -121,7 +122,7 @@ void make_television(Maker& m) {
   }
   m.box("screen", screen, {-0.5 * width, -0.02, 0.07}, {0.5 * width, 0.012, 0.07 + height});
   for (const double s : {-1.0, 1.0}) {
-    m.box(s < 0 ? "left foot" : "right foot", plastic, {s * 0.36 * width - 0.015, -0.12, 0.0}, {s * 0.36 * width + 0.015, 0.12, 0.012});
+    m.box(s < 0 ? "left foot" : "right foot", plastic, {s * 0.36 * width - 0.015, -0.12, glide}, {s * 0.36 * width + 0.015, 0.12, 0.012});
     m.box(s < 0 ? "left post" : "right post", plastic, {s * 0.36 * width - 0.01, -0.012, 0.012 - joint}, {s * 0.36 * width + 0.01, 0.006, 0.07 + joint});
   }
 }
@@ -157,7 +158,7 @@ void make_picture(Maker& m) {
   const int picture = m.material({"canvas", "paper", "book blue", "fabric red"});
   const int frame = m.material({"oak", "plastic black", "aluminium", "walnut"});
   const double f = 0.025;
-  m.box("picture", picture, {-0.5 * width, -0.014, 0.0}, {0.5 * width, -0.005, height});
+  m.box("picture", picture, {-0.5 * width, -0.014, 0.0}, {0.5 * width, -0.0065, height});
   m.box("upper frame", frame, {-0.5 * width - f, -0.022, height - joint}, {0.5 * width + f, -0.003, height + f});
   m.box("lower frame", frame, {-0.5 * width - f, -0.022, -f}, {0.5 * width + f, -0.003, joint});
   for (const double s : {-1.0, 1.0}) {

@@ -1,5 +1,7 @@
-// Chairs, stools, sofas, beds. Seat heights: EN 1335-1 (office chairs, 400-510 mm), EN 16139 (visitors' chairs); see
+// Chairs, stools, sofas, beds. Seat heights: EN 1335-1 (office work chairs: from 400 mm, at least 120 mm of travel); see
 // docs/reference/furniture.md.
+
+#include <algorithm>
 
 #include "scenes/catalogue/maker.hpp"
 
@@ -9,16 +11,19 @@ namespace {
 /// Five arms with castors and a gas column up to `top`.
 void star_base(Maker& m, int metal, int rubber, double radius, double top) {
   m.add(lathe_part("column", metal, {{0.03, 0.06}, {0.03, 0.5 * top}, {0.022, 0.5 * top + 0.02}, {0.022, top}}, 12));
+  m.add(lathe_part("hub", metal, {{0.05, 0.068}, {0.05, 0.112}}, 12));
   for (int i = 0; i < 5; ++i) {
     const std::string number = std::to_string(i + 1);
     const double angle = 2.0 * pi * i / 5.0 + 0.31;
     const SinCos sc = portable_sincos(angle);
     const Eigen::Matrix3d turn = rotation_about(2, angle);
-    m.add(turned_box_part("arm " + number, metal, Eigen::Vector3d(0.5 * radius * sc.cos, 0.5 * radius * sc.sin, 0.09),
-                          {radius, 0.035, 0.03}, turn));
-    const Eigen::Vector3d hub(0.94 * radius * sc.cos, 0.94 * radius * sc.sin, 0.031);
+    // The arms begin in the hub, where they do not reach each other.
+    const double middle = 0.5 * (radius + 0.032);
+    m.add(turned_box_part("arm " + number, metal, Eigen::Vector3d(middle * sc.cos, middle * sc.sin, 0.09),
+                          {radius - 0.032, 0.035, 0.03}, turn));
+    const Eigen::Vector3d hub(0.94 * radius * sc.cos, 0.94 * radius * sc.sin, 0.029 + glide);
     const Eigen::Vector3d axle(-0.022 * sc.sin, 0.022 * sc.cos, 0.0);
-    m.add(cylinder_part("castor " + number, rubber, hub - axle, hub + axle, 0.029, 10));
+    m.add(cylinder_part("castor " + number, rubber, hub - axle, hub + axle, 0.029, 12));
     m.add(cylinder_part("pin " + number, metal, {hub.x(), hub.y(), 0.035}, {hub.x(), hub.y(), 0.08}, 0.008, 6));
   }
 }
@@ -103,8 +108,8 @@ void make_stool(Maker& m) {
   }
   for (int i = 0; i < 4; ++i) {
     const SinCos sc = portable_sincos(0.5 * pi * i + 0.25 * pi);
-    m.add(cylinder_part("leg " + std::to_string(i + 1), metal, {1.05 * r * sc.cos, 1.05 * r * sc.sin, 0.012},
-                        {0.75 * r * sc.cos, 0.75 * r * sc.sin, height - 0.035 + joint}, 0.013, 8));
+    m.leg("leg " + std::to_string(i + 1), metal, 1.05 * r * sc.cos, 1.05 * r * sc.sin,
+          {0.75 * r * sc.cos, 0.75 * r * sc.sin, height - 0.035 + joint}, 0.013);
   }
 }
 
@@ -123,7 +128,7 @@ void make_sofa(Maker& m) {
   for (const double s : {-1.0, 1.0}) {
     if (arm <= 0) break;
     const double x0 = s < 0 ? -0.5 * width : 0.5 * width - arm;
-    m.box(s < 0 ? "left arm" : "right arm", cloth, {x0, -0.5 * depth, 0.06}, {x0 + arm, 0.5 * depth - 0.006, seat + 0.18});
+    m.box(s < 0 ? "left arm" : "right arm", cloth, {x0, -0.5 * depth, 0.06}, {x0 + arm, 0.5 * depth - 0.006, std::min(seat + 0.18, back - 0.07)});
   }
   for (int i = 0; i < seats; ++i) {
     const double x = -0.5 * width + arm + seat_width * (i + 0.5);

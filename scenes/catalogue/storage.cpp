@@ -1,4 +1,4 @@
-// Shelves, cabinets, drawers. Sizes follow DIN 4543-1 era office grids and makers' series; see docs/reference/furniture.md.
+// Shelves, cabinets, drawers. Sizes are the series that makers sell; see docs/reference/furniture.md.
 
 #include <algorithm>
 
@@ -162,7 +162,7 @@ void make_drawer_unit(Maker& m) {
       const double cy = sy * (0.5 * depth - 0.07);
       const std::string name = (rolls ? "castor " : "glide ") + std::to_string(++number);
       if (rolls) {
-        m.add(cylinder_part(name, metal, {x - 0.012, cy, 0.028}, {x + 0.012, cy, 0.028}, 0.026, 10));
+        m.add(cylinder_part(name, metal, {x - 0.012, cy, 0.026 + glide}, {x + 0.012, cy, 0.026 + glide}, 0.026, 12));
         m.box("fork " + std::to_string(number), metal, {x - 0.016, cy - 0.01, 0.03}, {x + 0.016, cy + 0.01, z});
       } else {
         m.box(name, metal, {x - 0.015, cy - 0.015, glide}, {x + 0.015, cy + 0.015, z});

@@ -134,9 +134,8 @@ void make_table(Maker& m) {
       int leg = 0;
       for (const double sy : {-1.0, 1.0}) {
         for (const double tilt : {-1.0, 1.0}) {
-          const Eigen::Vector3d foot(x + tilt * 0.13, sy * (0.5 * depth - 0.10), 0.02);
           const Eigen::Vector3d head(x + tilt * 0.012, sy * (0.5 * depth - 0.12), top - 0.02);
-          m.add(cylinder_part(side + "leg " + std::to_string(++leg), wood, foot, head, 0.018, 8));
+          m.leg(side + "leg " + std::to_string(++leg), wood, x + tilt * 0.13, sy * (0.5 * depth - 0.10), head, 0.018);
         }
       }
     }
@@ -187,8 +186,7 @@ void make_coffee_table(Maker& m) {
     for (int i = 0; i < 3; ++i) {
       const SinCos sc = portable_sincos(2.0 * pi * i / 3.0 + 0.5);
       const Eigen::Vector3d head(0.28 * diameter * sc.cos, 0.28 * diameter * sc.sin, height - 0.022 + joint);
-      const Eigen::Vector3d foot(0.40 * diameter * sc.cos, 0.40 * diameter * sc.sin, 0.012);
-      m.add(cylinder_part("leg " + std::to_string(i + 1), wood, foot, head, 0.016, 8));
+      m.leg("leg " + std::to_string(i + 1), wood, 0.40 * diameter * sc.cos, 0.40 * diameter * sc.sin, head, 0.016);
     }
     return;
   }

@@ -28,7 +28,8 @@ RoomPlan plan_room(SequentialRandom& random, const RoomOptions& options, const E
   return plan;
 }
 
-void add_door(Scene& scene, RoomPlan& plan, SequentialRandom& random, Side side, double along, const std::string& variant) {
+void add_door(Scene& scene, RoomPlan& plan, SequentialRandom& random, Side side, double along, const std::string& variant,
+              bool outwards) {
   const double wall = 0.12;
   FurnitureRequest request{"door", variant, random.below(1U << 30), {{"wall", wall}}, 0.0};
   Instance door = make_furniture(scene, request);
@@ -36,9 +37,10 @@ void add_door(Scene& scene, RoomPlan& plan, SequentialRandom& random, Side side,
   const double height = std::min(door.parameters.at("height"), plan.shell.height - 0.1);
   along = std::clamp(along, 0.5 * width + 0.15, side_length(plan.shell, side) - 0.5 * width - 0.15);
   along = to_mm(along);
-  plan.shell.openings.push_back({side, {{along - 0.5 * width, 0.0}, {along + 0.5 * width, height}}, wall});
+  plan.shell.openings.push_back({side, {{along - 0.5 * width, 0.0}, {along + 0.5 * width, height}, wall}});
   const Eigen::Isometry3d frame = side_frame(plan.shell, side) * pose_at({along, 0, 0});
-  door.T_world_instance = frame;
+  door.T_world_instance = outwards ? frame * pose_at({0, wall, 0}, pi) : frame;
+  if (plan.entrances.empty()) plan.door_side = side;
   plan.fittings.push_back(std::move(door));
   plan.entrances.push_back((frame * Eigen::Vector3d(0, -0.55, 0)).head<2>());
   plan.door_frames.push_back(frame);
@@ -56,7 +58,7 @@ void add_windows(Scene& scene, RoomPlan& plan, SequentialRandom& random, Side si
   const int fitting = std::min(count, static_cast<int>((length - 0.4) / (width + 0.3)));
   for (int i = 0; i < fitting; ++i) {
     const double along = to_mm(length * (i + 0.5) / fitting);
-    plan.shell.openings.push_back({side, {{along - 0.5 * width, sill}, {along + 0.5 * width, sill + height}}, wall});
+    plan.shell.openings.push_back({side, {{along - 0.5 * width, sill}, {along + 0.5 * width, sill + height}, wall}});
     Instance copy = window;
     copy.T_world_instance = side_frame(plan.shell, side) * pose_at({along, 0, sill});
     plan.fittings.push_back(std::move(copy));
@@ -118,7 +120,7 @@ std::optional<std::size_t> chair_at(Placer& placer, std::size_t table, int side,
 }
 
 void furnish_desk(Placer& placer, std::size_t desk, int monitors) {
-  const Instance& thing = placer.scene().instances[desk];
+  const Instance thing = placer.scene().instances[desk];  // a copy: placing moves the originals
   auto& random = placer.random();
   const double width = thing.parameters.at("width");
   const double depth = thing.parameters.at("depth");
@@ -130,7 +132,7 @@ void furnish_desk(Placer& placer, std::size_t desk, int monitors) {
   const auto chair = chair_at(placer, desk, 0, 0.0, random.chance(0.8) ? "office star base" : "");
   double seat = 0.0;  // where the user sits along the desk
   if (chair) {
-    seat = (placer.scene().instances[desk].T_world_instance.inverse() * placer.scene().instances[*chair].T_world_instance.translation()).x();
+    seat = (thing.T_world_instance.inverse() * placer.scene().instances[*chair].T_world_instance.translation()).x();
   }
   // Screens stand in an arc around the user's head; each faces it.
   const double diagonal = std::vector<double>{21.5, 23.8, 23.8, 27.0}[random.below(4)];
@@ -181,6 +183,21 @@ std::optional<std::size_t> workplace(Placer& placer, const std::vector<Side>& si
   return placed;
 }
 
+std::vector<std::size_t> put_in_a_row(Placer& placer, Side side, double start, const std::vector<Instance>& things, double gap) {
+  std::vector<std::size_t> placed;
+  const Eigen::Isometry3d frame = side_frame(placer.room(), side);
+  double along = start;
+  for (const auto& thing : things) {
+    const Eigen::AlignedBox3d bounds = local_bounds(thing);
+    const Eigen::Vector3d at(along - bounds.min().x(), -0.012 - bounds.max().y(), 0);
+    const auto index = placer.put(thing, frame * pose_at(at));
+    if (!index) continue;
+    placed.push_back(*index);
+    along += bounds.sizes().x() + gap;
+  }
+  return placed;
+}
+
 void load_surfaces(Placer& placer, std::size_t thing, const std::vector<std::string>& kinds, double share) {
   auto& random = placer.random();
   for (const auto& surface : placer.surfaces(thing)) {
@@ -190,7 +207,7 @@ void load_surfaces(Placer& placer, std::size_t thing, const std::vector<std::str
     for (int i = 0; i < std::min(places, 6); ++i) {
       if (!random.chance(share)) continue;
       const std::string& kind = one_of(random, kinds);
-      placer.put_somewhere_on(surface, placer.make(kind), 0.0, kind == "box" ? 0.2 : 0.5, 3);
+      placer.put_somewhere_on(surface, placer.make(kind, kind == "monitor" ? "stand" : ""), 0.0, kind == "box" ? 0.2 : 0.5, 3);
     }
   }
 }
@@ -272,6 +289,17 @@ void add_sensor_poses(Placer& placer, const RoomPlan& plan, int count) {
     const Eigen::Vector2d c((corner & 1) != 0 ? room.max().x() - 0.7 : room.min().x() + 0.7, (corner & 2) != 0 ? room.max().y() - 0.7 : room.min().y() + 0.7);
     if ((c - wishes[0]).norm() > 1.5) wishes.push_back(c);
   }
+  // Doors are no obstacle to walking, but a leaf in front of the scanner is one to looking.
+  std::vector<OrientedBox> doors;
+  for (const auto& instance : scene.instances) {
+    if (instance.kind != "door") continue;
+    for (const auto& box : part_boxes(instance)) doors.push_back(box);
+  }
+  const auto at_door = [&](const Eigen::Vector2d& p) {
+    const OrientedBox body{{p.x(), p.y(), 1.3}, Eigen::Matrix3d::Identity(), {0.3, 0.3, 0.4}};
+    return std::any_of(doors.begin(), doors.end(), [&](const OrientedBox& box) { return boxes_near(body, box, 0.0); });
+  };
+  const bool joined = grid.reachable_share() > 0;
   int added = 0;
   for (const auto& wish : wishes) {
     if (added >= count) break;
@@ -280,10 +308,10 @@ void add_sensor_poses(Placer& placer, const RoomPlan& plan, int count) {
     for (int y = 0; y < grid.ny; ++y) {
       for (int x = 0; x < grid.nx; ++x) {
         if (grid.free[grid.index(x, y)] == 0) continue;
-        if (grid.reachable_share() > 0 && grid.reachable[grid.index(x, y)] == 0) continue;
+        if (joined && grid.reachable[grid.index(x, y)] == 0) continue;
         const Eigen::Vector2d p = grid.low + grid.cell * Eigen::Vector2d(x + 0.5, y + 0.5);
         const double d = (p - wish).squaredNorm();
-        if (d < best) {
+        if (d < best && !at_door(p)) {
           best = d;
           place = p;
         }

@@ -12,19 +12,27 @@ namespace scanchor {
 /// A room that is being made: its shell, and where one comes in.
 struct RoomPlan {
   RoomShell shell;
+  Side door_side = Side::south;              ///< of the first door; families are written for a door in the south
   std::vector<Instance> fittings;            ///< doors and windows, placed, without ids
   std::vector<Eigen::Vector2d> entrances;    ///< [m] places on the floor just inside the doors
   std::vector<Eigen::Isometry3d> door_frames;  ///< side frame at the middle of each door
   std::vector<double> door_widths;
   std::vector<Eigen::Isometry3d> window_frames;
   std::vector<double> window_widths;
+  /// A side as the family means it, turned to where the door is.
+  [[nodiscard]] Side turned(Side side) const { return static_cast<Side>((static_cast<int>(side) + static_cast<int>(door_side)) % 4); }
+  [[nodiscard]] std::vector<Side> turned(std::vector<Side> sides) const {
+    for (auto& side : sides) side = turned(side);
+    return sides;
+  }
 };
 
 /// A rectangle of the usual sides, scaled by the options, with materials drawn.
 RoomPlan plan_room(SequentialRandom& random, const RoomOptions& options, const Eigen::Vector2d& least, const Eigen::Vector2d& most,
                    double height_low, double height_high);
-/// A door at `along` [m] (middle) of a side; empty variant: drawn.
-void add_door(Scene& scene, RoomPlan& plan, SequentialRandom& random, Side side, double along, const std::string& variant = "");
+/// A door at `along` [m] (middle) of a side; empty variant: drawn. `outwards`: its leaf turns away from the room.
+void add_door(Scene& scene, RoomPlan& plan, SequentialRandom& random, Side side, double along, const std::string& variant = "",
+              bool outwards = false);
 /// As many windows as fit a side evenly, at most `count`.
 void add_windows(Scene& scene, RoomPlan& plan, SequentialRandom& random, Side side, int count);
 /// Adds shell and fittings to the scene.
@@ -47,11 +55,35 @@ void litter(Placer& placer, const std::vector<std::string>& kinds, int count);
 void hang_up(Placer& placer, const std::string& kind, const std::string& variant, const std::vector<Side>& sides, double z);
 void ceiling_lamps(Placer& placer, int count);
 
-/// One furnished room of a family into a plan whose doors are set. False: something essential found no place.
-using Furnish = bool (*)(Placer& placer, const RoomPlan& plan);
+/// Things side by side along a wall, from `start` [m], `gap` [m] apart. Returns their indices; what does not fit is left out.
+std::vector<std::size_t> put_in_a_row(Placer& placer, Side side, double start, const std::vector<Instance>& things, double gap);
 
+// Furnishing: one function a family. False: something essential found no place.
+using Furnish = bool (*)(Placer& placer, const RoomPlan& plan);
 bool furnish_office(Placer& placer, const RoomPlan& plan);
+bool furnish_open_plan(Placer& placer, const RoomPlan& plan);
+bool furnish_meeting(Placer& placer, const RoomPlan& plan);
+bool furnish_laboratory(Placer& placer, const RoomPlan& plan);
+bool furnish_storage(Placer& placer, const RoomPlan& plan);
+bool furnish_kitchen(Placer& placer, const RoomPlan& plan);
+bool furnish_living(Placer& placer, const RoomPlan& plan);
+bool furnish_bedroom(Placer& placer, const RoomPlan& plan);
+bool furnish_corridor(Placer& placer, const RoomPlan& plan);
+
+// Shells of the families.
+using PlanRoom = RoomPlan (*)(Scene& scene, SequentialRandom& random, const RoomOptions& options);
 RoomPlan plan_office(Scene& scene, SequentialRandom& random, const RoomOptions& options);
+RoomPlan plan_open_plan(Scene& scene, SequentialRandom& random, const RoomOptions& options);
+RoomPlan plan_meeting(Scene& scene, SequentialRandom& random, const RoomOptions& options);
+RoomPlan plan_laboratory(Scene& scene, SequentialRandom& random, const RoomOptions& options);
+RoomPlan plan_storage(Scene& scene, SequentialRandom& random, const RoomOptions& options);
+RoomPlan plan_kitchen(Scene& scene, SequentialRandom& random, const RoomOptions& options);
+RoomPlan plan_living(Scene& scene, SequentialRandom& random, const RoomOptions& options);
+RoomPlan plan_bedroom(Scene& scene, SequentialRandom& random, const RoomOptions& options);
+RoomPlan plan_corridor(Scene& scene, SequentialRandom& random, const RoomOptions& options);
+
+/// A corridor with rooms of several families on both sides. False: one of them could not be furnished.
+bool build_floor(Scene& scene, SequentialRandom& random, const RoomOptions& options);
 
 /// Whether one can walk from the first entrance to the others and to every chair, and at least 85 % of the free floor is joined.
 bool walkable(const Placer& placer, const RoomPlan& plan);
