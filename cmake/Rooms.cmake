@@ -4,6 +4,8 @@ target_compile_features(scanchor_flags INTERFACE cxx_std_20)
 # No contraction into fused multiply-add: the same bytes on every machine.
 target_compile_options(scanchor_flags INTERFACE -ffp-contract=off)
 add_library(scanchor_warnings INTERFACE)
+# -Wrestrict: GCC 12 warns of std::string's own operator+ (GCC bug 105651).
+target_compile_options(scanchor_warnings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 target_compile_options(scanchor_warnings INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wcast-align
                        $<$<BOOL:${SCANCHOR_WARNINGS_AS_ERRORS}>:-Werror>)
 if(SCANCHOR_SANITIZE)
@@ -55,5 +57,7 @@ function(scanchor_command folder)
   list(TRANSFORM ROOM_USES PREPEND scanchor_)
   target_link_libraries(scanchor PRIVATE ${ROOM_USES} ${ROOM_LINKS} nlohmann_json::nlohmann_json fmt::fmt
                         scanchor_warnings)
+  target_compile_definitions(scanchor PRIVATE SCANCHOR_VERSION="${PROJECT_VERSION}")
+  target_precompile_headers(scanchor PRIVATE ${folder}/command.hpp)
   set_target_properties(scanchor PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 endfunction()

@@ -1,0 +1,14 @@
+#include "apps/command.hpp"
+
+namespace scanchor::apps {
+
+void add_all_verbs(CLI::App& root, ExitCodeSlot& code) {
+  add_run(root, code);
+  add_generate(root, code);
+  add_label(root, code);
+  add_segment(root, code);
+  add_score(root, code);
+  add_render(root, code);
+}
+
+}  // namespace scanchor::apps

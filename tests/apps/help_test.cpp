@@ -1,0 +1,33 @@
+// The help is what a new user reads first.
+
+#include <gtest/gtest.h>
+
+#include "tests/apps/support/command.hpp"
+
+namespace scanchor {
+namespace {
+
+using testing_support::run_scanchor;
+
+class Help : public testing::TestWithParam<const char*> {};
+
+TEST_P(Help, HasAnExampleAndTheCommonFlags) {
+  const std::string verb = GetParam();
+  const auto ran = run_scanchor(verb + " --help");
+  EXPECT_EQ(ran.code, 0);
+  EXPECT_EQ(ran.error, "");
+  EXPECT_NE(ran.out.find("Example"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("scanchor " + verb), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("--json"), std::string::npos) << ran.out;
+}
+
+INSTANTIATE_TEST_SUITE_P(Verbs, Help, testing::Values("run", "generate", "label", "segment", "score", "render"),
+                         [](const auto& row) { return std::string(row.param); });
+
+TEST(Help, VersionAndNoVerb) {
+  EXPECT_EQ(run_scanchor("--version").out.rfind("scanchor ", 0), 0U);
+  EXPECT_EQ(run_scanchor("").code, 2);
+}
+
+}  // namespace
+}  // namespace scanchor
