@@ -105,11 +105,14 @@ void guess_side(const std::vector<OutlineEdge>& edges, double direction, Side& s
   });
   const double extent = side.high - side.low;
   double met = 0.0;
+  double met_real = 0.0;
   std::size_t at = facing.size();
   for (std::size_t i = 0; i < facing.size(); ++i) {
     met += facing[i].length;
+    if (facing[i].kind == EdgeKind::true_edge) met_real += facing[i].length;
     at = i;
-    if (met >= 0.1 * extent) break;
+    // The corner that looks out of a shadow is short, but a true edge of three samples is no accident.
+    if (met >= 0.1 * extent || met_real >= std::max(3.0 * facing[i].gap, 0.03 * extent)) break;
   }
   if (at == facing.size()) {
     side.position = outermost;

@@ -34,7 +34,8 @@ struct RectangleFit {
   std::array<bool, 4> censored{};     ///< the side is a shadow or the end of the view
 };
 
-/// Direction: that of the longest edges, at right angles to each other. Sides: the outermost that carry a tenth of the extent. Then, for
+/// Direction: that of the longest edges, at right angles to each other. Sides: the outermost that carry a tenth of the extent,
+/// or three samples of true edge. Then, for
 /// a grid of directions about it, each side's position has the likelihood  prod_i P(sample i is on the side where it was found), with
 /// normal lateral noise and a share of wrong samples; direction and positions have flat priors. Width and length are sums of two positions,
 /// their distribution follows by convolution, and the answer is its mean and its central 95 %. No shape of error is assumed: where the

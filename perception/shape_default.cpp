@@ -305,10 +305,10 @@ void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surface
   surface.area = polygon_area(surface.polygons, evidence.edges);
   surface.area.at_least = share.hidden + share.hidden_holes > 0.05 * share.total;
   surface.rectangularness = filled_share(cloud, view, surface, gate);
-  // Four sides that meet at right angles by construction: a rectangle if the surface fills it and no side was only guessed.
-  bool sides = true;
-  for (std::size_t k = 0; k < 4; ++k) sides = sides && (fit.support[k] >= 0.2 || fit.censored[k]);
-  surface.is_rectangle = sides && surface.rectangularness >= 0.9;
+  // Four sides that meet at right angles by construction: a rectangle if the surface fills what could be seen of it, and at least two
+  // sides were seen along a third of their length.
+  const auto seen = std::count_if(fit.support.begin(), fit.support.end(), [](double share) { return share >= 0.3; });
+  surface.is_rectangle = seen >= 2 && surface.rectangularness >= 0.9;
 }
 
 }  // namespace scanchor

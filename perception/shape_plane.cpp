@@ -1,6 +1,7 @@
 #include "perception/shape_plane.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -26,6 +27,9 @@ RayPlane fit_along_rays(const PointCloud& cloud, const Surface& surface, const E
   const double distance = normal.dot(origin - sensor);
   if (distance == 0.0 || surface.inliers.size() < 4) return plane;
   plane.p = normal / distance;
+  // Until the fit says better: what the surface knows of its plane, as an uncertainty of normal / distance.
+  const double across = surface.plane.centroid_sigma / distance;
+  plane.covariance = (surface.plane.normal_covariance + across * across * normal * normal.transpose()) / (distance * distance);
 
   // The sums must not depend on the order of the points: sorted by distance from the sensor, ties by coordinates.
   std::vector<Eigen::Vector3d> rays;

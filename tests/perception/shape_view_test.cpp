@@ -1,0 +1,90 @@
+#include "perception/shape_view.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "core/random.hpp"
+
+namespace scanchor {
+namespace {
+
+PointCloud all_around(int count, std::uint64_t seed, const Eigen::Vector3d& sensor) {
+  SequentialRandom random(seed);
+  PointCloud cloud;
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Vector3d d(random.normal(), random.normal(), random.normal());
+    cloud.points.push_back(sensor + random.uniform(1, 5) * d.normalized());
+  }
+  return cloud;
+}
+
+TEST(ShapeView, HoldsEveryFinitePointOnce) {
+  const Eigen::Vector3d sensor(1, 2, 3);
+  PointCloud cloud = all_around(5000, 1, sensor);
+  cloud.points[7] = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  cloud.points[8] = sensor;
+  const ShapeView view(cloud, sensor, std::vector<std::int32_t>(cloud.size(), -1));
+  std::multiset<std::uint32_t> seen;
+  for (std::uint32_t c = 0; c < view.cell_count(); ++c) {
+    for (const auto i : view.points(c)) {
+      seen.insert(i);
+      EXPECT_EQ(view.cell_of_point(i), c);
+    }
+  }
+  EXPECT_EQ(seen.size(), 4998U);
+  EXPECT_EQ(std::set<std::uint32_t>(seen.begin(), seen.end()).size(), 4998U);
+  EXPECT_EQ(seen.count(7), 0U);
+  EXPECT_EQ(view.cell_of_point(8), view.cell_count());
+}
+
+TEST(ShapeView, NeighbourCellsHoldTheNeighbourDirectionsAlsoAcrossTheCube) {
+  const PointCloud cloud = all_around(20000, 2, Eigen::Vector3d::Zero());
+  const ShapeView view(cloud, Eigen::Vector3d::Zero(), std::vector<std::int32_t>(cloud.size(), -1));
+  SequentialRandom random(3);
+  for (int i = 0; i < 20000; ++i) {
+    const Eigen::Vector3d a = Eigen::Vector3d(random.normal(), random.normal(), random.normal()).normalized();
+    const Eigen::Vector3d b = (a + 0.3 * view.cell_angle() * Eigen::Vector3d(random.normal(), random.normal(), random.normal()).normalized()).normalized();
+    const auto from = view.cell_of(a);
+    const auto to = view.cell_of(b);
+    if (from == to) continue;
+    const auto around = view.around(from);
+    EXPECT_TRUE(std::count(around.begin(), around.end(), to)) << a.transpose() << " to " << b.transpose();
+  }
+}
+
+TEST(ShapeView, ACellBelongsToAPlaneOnlyIfAllOfItDoes) {
+  const PointCloud cloud = all_around(3000, 4, Eigen::Vector3d::Zero());
+  std::vector<std::int32_t> plane(cloud.size());
+  for (std::size_t i = 0; i < plane.size(); ++i) plane[i] = cloud.points[i].z() > 0 ? 0 : 1;
+  const ShapeView view(cloud, Eigen::Vector3d::Zero(), plane);
+  for (std::uint32_t c = 0; c < view.cell_count(); ++c) {
+    std::set<std::int32_t> found;
+    for (const auto i : view.points(c)) found.insert(plane[i]);
+    if (found.empty()) {
+      EXPECT_EQ(view.owner(c), ShapeView::empty);
+    }
+    if (found.size() == 1) {
+      EXPECT_EQ(view.owner(c), *found.begin());
+    }
+    if (found.size() == 2) {
+      EXPECT_EQ(view.owner(c), ShapeView::mixed);
+    }
+  }
+}
+
+TEST(ShapeView, CellsAreAboutTwoSpacingsWide) {
+  PointCloud cloud;
+  for (int i = -50; i < 50; ++i) {
+    for (int j = -50; j < 50; ++j) cloud.points.emplace_back(2.0, 0.02 * i, 0.02 * j);  // 0.01 rad apart
+  }
+  const ShapeView view(cloud, Eigen::Vector3d::Zero(), std::vector<std::int32_t>(cloud.size(), -1));
+  EXPECT_GT(view.cell_angle(), 0.015);
+  EXPECT_LT(view.cell_angle(), 0.035);
+}
+
+}  // namespace
+}  // namespace scanchor
