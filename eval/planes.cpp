@@ -239,6 +239,9 @@ double plane_precision(const PlaneScore& score, std::size_t tolerance) {
 double plane_recall(const PlaneScore& score, std::size_t tolerance) {
   return tolerance < score.hoover.size() ? share(score.hoover[tolerance].correct, score.truths) : 0.0;
 }
+double plane_f1(const PlaneScore& score, std::size_t tolerance) {
+  return tolerance < score.hoover.size() ? share(2 * score.hoover[tolerance].correct, score.regions + score.truths) : 0.0;
+}
 double adjusted_precision(const PlaneScore& score) { return share(score.paired_points, score.region_points); }
 double adjusted_recall(const PlaneScore& score) { return share(score.paired_points, score.truth_points); }
 double small_plane_recall(const PlaneScore& score) {

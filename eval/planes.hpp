@@ -62,6 +62,7 @@ PlaneScore score_planes(std::span<const std::int32_t> truth, std::span<const cha
 /// Derived numbers, each in [0, 1]; 0 where nothing was there.
 double plane_precision(const PlaneScore& score, std::size_t tolerance);  ///< correct / regions
 double plane_recall(const PlaneScore& score, std::size_t tolerance);     ///< correct / truths
+double plane_f1(const PlaneScore& score, std::size_t tolerance);         ///< 2 correct / (regions + truths)
 double adjusted_precision(const PlaneScore& score);  ///< paired points / points of regions
 double adjusted_recall(const PlaneScore& score);     ///< paired points / points of truths
 double small_plane_recall(const PlaneScore& score);

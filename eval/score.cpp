@@ -153,6 +153,7 @@ Metrics metrics(const Score& score, const Protocol& protocol) {
     const double tolerance = protocol.plane_tolerances[i];
     list.emplace_back(fmt::format("planes.precision@{:.2f}", tolerance), plane_precision(score.planes, i));
     list.emplace_back(fmt::format("planes.recall@{:.2f}", tolerance), plane_recall(score.planes, i));
+    list.emplace_back(fmt::format("planes.f1@{:.2f}", tolerance), plane_f1(score.planes, i));
   }
   list.emplace_back("planes.adjusted_precision", adjusted_precision(score.planes));
   list.emplace_back("planes.adjusted_recall", adjusted_recall(score.planes));

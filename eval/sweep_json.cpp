@@ -2,6 +2,7 @@
 
 #include "core/file.hpp"
 #include "core/json.hpp"
+#include "eval/gate.hpp"
 #include "eval/sweep.hpp"
 
 namespace scanchor {
@@ -13,11 +14,11 @@ std::string number(double value) {
   return {text, end.ptr};
 }
 
-double metric_or_nan(const RunResult& run, const std::string& name) {
-  for (const auto& [known, value] : metrics(run.pooled, run.protocol)) {
-    if (known == name) return value;
-  }
-  return name == "planes.f1" ? metric_or_nan(run, "planes.recall@0.80") : 0.0;
+double value_of(const RunResult& run, const std::string& name) {
+  std::vector<const Score*> scores;
+  for (const auto& row : run.rows) scores.push_back(&row.score);
+  const auto counts = paired_counts(name, scores, scores, run.protocol);
+  return pooled_value(counts, counts.after);
 }
 
 }  // namespace
@@ -85,7 +86,7 @@ std::string sweep_to_csv(const SweepResult& result) {
     for (const double value : point.values) text += number(value) + ",";
     text += std::to_string(point.run.rows.size());
     for (const auto& [name, interval] : point.intervals) {
-      text += "," + number(metric_or_nan(point.run, name)) + "," + number(interval.low) + "," + number(interval.high);
+      text += "," + number(value_of(point.run, name)) + "," + number(interval.low) + "," + number(interval.high);
     }
     text += "\n";
   }
