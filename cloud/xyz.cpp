@@ -124,6 +124,13 @@ PointCloud parse_xyz(std::string_view content, const std::string& file) {
       preface.take_comment(rest.substr(rest.front() == '#' ? 1 : 2));
       continue;
     }
+    // A remark behind the numbers; "1.#QNAN" has its # inside a number.
+    for (auto at = rest.find('#'); at != std::string_view::npos; at = rest.find('#', at + 1)) {
+      if (rest[at - 1] == ' ' || rest[at - 1] == '\t') {
+        rest = rest.substr(0, at);
+        break;
+      }
+    }
     if (columns.empty()) {
       const auto tokens = tokens_of(rest);
       if (preface.take_names(tokens)) continue;
@@ -144,8 +151,7 @@ PointCloud parse_xyz(std::string_view content, const std::string& file) {
         fail(fmt::format("'{}' is no value for the column '{}'", token.substr(0, 40), column.name));
       }
     }
-    const std::string_view more = next_token(rest, ',', ';');
-    if (!more.empty() && more.front() != '#') {
+    if (!next_token(rest, ',', ';').empty()) {
       fail(fmt::format("has more than the {} columns of the lines before", columns.size()));
     }
     ++count;
