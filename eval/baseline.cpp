@@ -34,13 +34,17 @@ std::vector<std::string> describe_change(const RunResult& before, const RunResul
   std::vector<std::string> lines;
   if (before.data != after.data) lines.push_back("data: " + before.data + " -> " + after.data);
   if (protocol_stamp(before.protocol) != protocol_stamp(after.protocol)) {
-    lines.push_back("protocol: " + protocol_stamp(before.protocol) + " -> " + protocol_stamp(after.protocol));
+    lines.push_back("protocol: " + protocol_stamp(before.protocol) + " -> " +
+                    protocol_stamp(after.protocol));
   }
-  if (before.method != after.method) lines.push_back("method: " + before.method + " -> " + after.method);
+  if (before.method != after.method)
+    lines.push_back("method: " + before.method + " -> " + after.method);
   std::set<int> old_scenes, new_scenes;
   for (const auto& row : before.rows) old_scenes.insert(row.index);
   for (const auto& row : after.rows) new_scenes.insert(row.index);
-  if (old_scenes != new_scenes) lines.push_back("scenes: " + std::to_string(old_scenes.size()) + " -> " + std::to_string(new_scenes.size()));
+  if (old_scenes != new_scenes)
+    lines.push_back("scenes: " + std::to_string(old_scenes.size()) + " -> " +
+                    std::to_string(new_scenes.size()));
   std::map<std::string, double> old;
   for (const auto& [name, value] : metrics(before.pooled, before.protocol)) old[name] = value;
   for (const auto& [name, value] : metrics(after.pooled, after.protocol)) {
@@ -56,8 +60,11 @@ std::vector<std::string> describe_change(const RunResult& before, const RunResul
   return lines;
 }
 
-Baseline update_baseline(const Baseline& old, RunResult run, const std::string& reason, const std::string& date) {
-  if (words_in(reason) < 3) fail_usage("a baseline changes for a reason", "say it in at least three words: --reason \"...\"");
+Baseline update_baseline(const Baseline& old, RunResult run, const std::string& reason,
+                         const std::string& date) {
+  if (words_in(reason) < 3)
+    fail_usage("a baseline changes for a reason",
+               "say it in at least three words: --reason \"...\"");
   Baseline next = old;
   BaselineChange change{date, reason, {}};
   if (!old.run.rows.empty()) {

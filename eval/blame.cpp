@@ -14,7 +14,8 @@ namespace scanchor {
 namespace {
 
 // A frame with z along the normal, origin at the centroid.
-Eigen::Isometry3d frame_of(const Eigen::Vector3d& normal, const Eigen::Vector3d& axis, const Eigen::Vector3d& origin) {
+Eigen::Isometry3d frame_of(const Eigen::Vector3d& normal, const Eigen::Vector3d& axis,
+                           const Eigen::Vector3d& origin) {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   Eigen::Vector3d x = axis - normal * normal.dot(axis);
   if (x.norm() < 1e-9) x = normal.unitOrthogonal();
@@ -46,16 +47,19 @@ void fit(const Scan& scan, Surface& surface) {
   // Tilt about an in-plane axis: variance across the plane over the scatter along the other axis.
   for (const int k : {1, 2}) {
     const Eigen::Vector3d axis = solver.eigenvectors().col(k);
-    surface.plane.normal_covariance += residual / std::max(solver.eigenvalues()(k), 1e-12) * axis * axis.transpose();
+    surface.plane.normal_covariance +=
+        residual / std::max(solver.eigenvalues()(k), 1e-12) * axis * axis.transpose();
   }
   surface.T_cloud_surface = frame_of(normal, solver.eigenvectors().col(2), centroid);
 }
 
-std::vector<Surface> surfaces_of(const Scan& scan, const ScanTruth& truth, std::vector<std::int32_t>& plane_of_surface) {
+std::vector<Surface> surfaces_of(const Scan& scan, const ScanTruth& truth,
+                                 std::vector<std::int32_t>& plane_of_surface) {
   std::vector<Surface> surfaces(truth.planes.size());
   for (std::size_t i = 0; i < truth.size(); ++i) {
     if (truth.plane[i] < 0 || !scan.cloud.points[i].allFinite()) continue;
-    surfaces[static_cast<std::size_t>(truth.plane[i])].inliers.push_back(static_cast<std::uint32_t>(i));
+    surfaces[static_cast<std::size_t>(truth.plane[i])].inliers.push_back(
+        static_cast<std::uint32_t>(i));
   }
   std::vector<std::int32_t> order;
   for (std::size_t p = 0; p < surfaces.size(); ++p) {
@@ -77,7 +81,8 @@ std::vector<Surface> surfaces_of(const Scan& scan, const ScanTruth& truth, std::
   return sorted;
 }
 
-Surfaces planes_as_true(const Scan& scan, const ScanTruth& truth, std::vector<std::int32_t>& plane_of_surface) {
+Surfaces planes_as_true(const Scan& scan, const ScanTruth& truth,
+                        std::vector<std::int32_t>& plane_of_surface) {
   Surfaces surfaces;
   surfaces.surfaces = surfaces_of(scan, truth, plane_of_surface);
   surfaces.plane_of_point.assign(truth.size(), -1);
@@ -123,11 +128,16 @@ std::string fixed(double value) {
 
 std::string stage_word(PerfectUpTo stage) {
   switch (stage) {
-    case PerfectUpTo::nothing: return "pipeline";
-    case PerfectUpTo::scan: return "perfect scan";
-    case PerfectUpTo::planes: return "perfect planes";
-    case PerfectUpTo::shapes: return "perfect shapes";
-    case PerfectUpTo::labels: break;
+    case PerfectUpTo::nothing:
+      return "pipeline";
+    case PerfectUpTo::scan:
+      return "perfect scan";
+    case PerfectUpTo::planes:
+      return "perfect planes";
+    case PerfectUpTo::shapes:
+      return "perfect shapes";
+    case PerfectUpTo::labels:
+      break;
   }
   return "perfect labels";
 }
@@ -137,7 +147,8 @@ Scan perfect_scan(const Scan& scan) {
   for (std::size_t i = 0; i < scan.truth.true_range.size() && i < scan.cloud.size(); ++i) {
     const double range = scan.cloud.points[i].norm();
     const double wanted = static_cast<double>(scan.truth.true_range[i]);
-    const bool elsewhere = i < scan.truth.flags.size() && (scan.truth.flags[i] & (point_ghost | point_out_of_range)) != 0;
+    const bool elsewhere = i < scan.truth.flags.size() &&
+                           (scan.truth.flags[i] & (point_ghost | point_out_of_range)) != 0;
     if (elsewhere || !(range > 0) || !(wanted > 0) || !std::isfinite(range)) continue;
     perfect.cloud.points[i] = scan.cloud.points[i] * (wanted / range);
   }
@@ -155,7 +166,8 @@ Surfaces perfect_shapes(const Scan& scan, const Scene& scene, const ScanTruth& t
   const auto addresses = all_faces(scene);
   const Eigen::Isometry3d T_cloud_world = scan.T_world_sensor.inverse();
   for (auto& surface : surfaces.surfaces) {
-    const PlaneTruth& plane = truth.planes[static_cast<std::size_t>(plane_of_surface[static_cast<std::size_t>(surface.id)])];
+    const PlaneTruth& plane = truth.planes[static_cast<std::size_t>(
+        plane_of_surface[static_cast<std::size_t>(surface.id)])];
     if (!plane.has_geometry) continue;
     // The frame of the largest face; the rectangles of all faces give the outline.
     WorldFace largest{};
@@ -178,19 +190,22 @@ Surfaces perfect_shapes(const Scan& scan, const Scene& scene, const ScanTruth& t
       const Eigen::Vector3d across = face.normal.cross(face.axis);
       Polygon polygon;
       for (const auto& [s, t] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}) {
-        const Eigen::Vector3d corner = face.center + s * face.size.x() * face.axis + t * face.size.y() * across;
+        const Eigen::Vector3d corner =
+            face.center + s * face.size.x() * face.axis + t * face.size.y() * across;
         const Eigen::Vector3d local = surface.T_cloud_surface.inverse() * (T_cloud_world * corner);
         polygon.outer.emplace_back(local.head<2>());
         box.extend(polygon.outer.back());
       }
       const auto& r = polygon.outer;
-      const double turn = (r[1] - r[0]).x() * (r[2] - r[1]).y() - (r[1] - r[0]).y() * (r[2] - r[1]).x();
+      const double turn =
+          (r[1] - r[0]).x() * (r[2] - r[1]).y() - (r[1] - r[0]).y() * (r[2] - r[1]).x();
       if (turn < 0) std::reverse(polygon.outer.begin(), polygon.outer.end());
       polygon.outer_kind.assign(4, EdgeKind::true_edge);
       surface.polygons.push_back(std::move(polygon));
       area += face.area;
     }
-    std::stable_sort(surface.polygons.begin(), surface.polygons.end(), [](const Polygon& a, const Polygon& b) { return a.area() > b.area(); });
+    std::stable_sort(surface.polygons.begin(), surface.polygons.end(),
+                     [](const Polygon& a, const Polygon& b) { return a.area() > b.area(); });
     const Eigen::Vector2d size = box.sizes();
     const bool along_x = size.x() >= size.y();
     surface.rectangle.center = box.center();
@@ -208,12 +223,16 @@ Surfaces perfect_shapes(const Scan& scan, const Scene& scene, const ScanTruth& t
   return surfaces;
 }
 
-BlameResult blame(const Suite& suite, const PerceiveOptions& perceive_options, const Ontology& ontology,
-                  const ReasonOptions& reason_options, const RunOptions& options) {
+BlameResult blame(const Suite& suite, const PerceiveOptions& perceive_options,
+                  const Ontology& ontology, const ReasonOptions& reason_options,
+                  const RunOptions& options) {
   const auto tasks = tasks_of(suite, options);
-  if (tasks.empty()) throw Error(ExitCode::nothing_measured, "suite " + suite.name + " has no scene in part '" + options.split + "'");
+  if (tasks.empty())
+    throw Error(ExitCode::nothing_measured,
+                "suite " + suite.name + " has no scene in part '" + options.split + "'");
   const Method method = own_method(perceive_options, ontology, reason_options);
-  constexpr PerfectUpTo stages[] = {PerfectUpTo::nothing, PerfectUpTo::scan, PerfectUpTo::planes, PerfectUpTo::shapes, PerfectUpTo::labels};
+  constexpr PerfectUpTo stages[] = {PerfectUpTo::nothing, PerfectUpTo::scan, PerfectUpTo::planes,
+                                    PerfectUpTo::shapes, PerfectUpTo::labels};
   std::vector<std::vector<Score>> scores(tasks.size(), std::vector<Score>(std::size(stages)));
   const ThreadLimit limit(options.threads);
   parallel_blocks(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -232,7 +251,8 @@ BlameResult blame(const Suite& suite, const PerceiveOptions& perceive_options, c
             said.surfaces = perfect_planes(clean, truth);
             find_shapes(clean.cloud, perceive_options, *said.surfaces);
           }
-          if (stages[s] == PerfectUpTo::shapes) said.surfaces = perfect_shapes(clean, made.scene, truth);
+          if (stages[s] == PerfectUpTo::shapes)
+            said.surfaces = perfect_shapes(clean, made.scene, truth);
           if (stages[s] == PerfectUpTo::labels) {
             answer.points = perfect_prediction(truth);
           } else {
@@ -244,7 +264,8 @@ BlameResult blame(const Suite& suite, const PerceiveOptions& perceive_options, c
             answer.surfaces = &*said.surfaces;
             answer.labelling = &*said.labelling;
           }
-          scores[t][s].add(score_scan(stages[s] == PerfectUpTo::nothing ? scan : clean, &made.scene, answer, options.protocol));
+          scores[t][s].add(score_scan(stages[s] == PerfectUpTo::nothing ? scan : clean, &made.scene,
+                                      answer, options.protocol));
         }
       }
     }
@@ -265,9 +286,11 @@ std::vector<std::pair<std::string, double>> BlameResult::losses(const std::strin
   constexpr const char* names[] = {"sensor", "planes", "shapes", "reasoning"};
   std::vector<std::pair<std::string, double>> list;
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    list.emplace_back(names[i - 1], metric_or_zero(rows[i].score, protocol, metric) - metric_or_zero(rows[i - 1].score, protocol, metric));
+    list.emplace_back(names[i - 1], metric_or_zero(rows[i].score, protocol, metric) -
+                                        metric_or_zero(rows[i - 1].score, protocol, metric));
   }
-  if (!rows.empty()) list.emplace_back("limit", 1.0 - metric_or_zero(rows.back().score, protocol, metric));
+  if (!rows.empty())
+    list.emplace_back("limit", 1.0 - metric_or_zero(rows.back().score, protocol, metric));
   return list;
 }
 
@@ -278,7 +301,8 @@ std::string blame_to_markdown(const BlameResult& result, const std::vector<std::
   text += "\n" + rule + "\n";
   for (const auto& row : result.rows) {
     text += "| " + stage_word(row.perfect) + " |";
-    for (const auto& name : names) text += " " + fixed(metric_or_zero(row.score, result.protocol, name)) + " |";
+    for (const auto& name : names)
+      text += " " + fixed(metric_or_zero(row.score, result.protocol, name)) + " |";
     text += "\n";
   }
   for (std::size_t stage = 0; stage < 5 && !names.empty(); ++stage) {

@@ -7,18 +7,39 @@
 namespace scanchor {
 namespace {
 
-// Words people use for a class of the list. Kept short on purpose: a word that fits two classes is in neither.
+// Words people use for a class of the list. Kept short on purpose: a word that fits two classes is
+// in neither.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 30> synonyms = {{
-    {"screen", "monitor"},          {"display", "monitor"},        {"computer screen", "monitor"},
-    {"tv", "television"},           {"tv set", "television"},      {"fridge", "refrigerator"},
-    {"couch", "sofa"},              {"settee", "sofa"},            {"cupboard", "cabinet"},
-    {"file cabinet", "cabinet"},    {"filing cabinet", "cabinet"}, {"carton", "box"},
-    {"parcel", "box"},              {"bin", "waste bin"},          {"trash can", "waste bin"},
-    {"wastebasket", "waste bin"},   {"column", "pillar"},          {"notebook computer", "laptop"},
-    {"conference table", "meeting table"}, {"heater", "radiator"}, {"bookshelf", "bookcase"},
-    {"shelves", "shelf"},           {"rack", "shelf"},             {"shelving unit", "shelf"},
-    {"chest of drawers", "drawer unit"},   {"blackboard", "whiteboard"},  {"painting", "picture"},
-    {"closet", "wardrobe"},         {"cart", "trolley"},           {"ground", "floor"},
+    {"screen", "monitor"},
+    {"display", "monitor"},
+    {"computer screen", "monitor"},
+    {"tv", "television"},
+    {"tv set", "television"},
+    {"fridge", "refrigerator"},
+    {"couch", "sofa"},
+    {"settee", "sofa"},
+    {"cupboard", "cabinet"},
+    {"file cabinet", "cabinet"},
+    {"filing cabinet", "cabinet"},
+    {"carton", "box"},
+    {"parcel", "box"},
+    {"bin", "waste bin"},
+    {"trash can", "waste bin"},
+    {"wastebasket", "waste bin"},
+    {"column", "pillar"},
+    {"notebook computer", "laptop"},
+    {"conference table", "meeting table"},
+    {"heater", "radiator"},
+    {"bookshelf", "bookcase"},
+    {"shelves", "shelf"},
+    {"rack", "shelf"},
+    {"shelving unit", "shelf"},
+    {"chest of drawers", "drawer unit"},
+    {"blackboard", "whiteboard"},
+    {"painting", "picture"},
+    {"closet", "wardrobe"},
+    {"cart", "trolley"},
+    {"ground", "floor"},
 }};
 
 std::optional<ClassId> exact(std::string_view word) {
@@ -55,14 +76,16 @@ std::vector<ClassId> classes_of_labels(const std::vector<std::string>& labels) {
 PointPrediction predict_points(const Surfaces& surfaces, const Labelling& labelling) {
   std::size_t count = surfaces.plane_of_point.size();
   for (const auto& surface : surfaces.surfaces) {
-    if (!surface.inliers.empty()) count = std::max<std::size_t>(count, surface.inliers.back() + std::size_t{1});
+    if (!surface.inliers.empty())
+      count = std::max<std::size_t>(count, surface.inliers.back() + std::size_t{1});
   }
   PointPrediction prediction;
   prediction.class_id.assign(count, unlabelled);
   prediction.instance.assign(count, -1);
   prediction.plane.assign(count, -1);
   prediction.confidence.assign(count, 0.0F);
-  std::copy(surfaces.plane_of_point.begin(), surfaces.plane_of_point.end(), prediction.plane.begin());
+  std::copy(surfaces.plane_of_point.begin(), surfaces.plane_of_point.end(),
+            prediction.plane.begin());
   if (surfaces.plane_of_point.empty()) {
     for (const auto& surface : surfaces.surfaces) {
       for (const auto i : surface.inliers) prediction.plane[i] = surface.id;

@@ -26,11 +26,14 @@ std::string quoted(const fs::path& path) {
 }
 
 void replace_all(std::string& text, const std::string& what, const std::string& with) {
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size())) text.replace(at, what.size(), with);
+  for (std::size_t at = text.find(what); at != std::string::npos;
+       at = text.find(what, at + with.size()))
+    text.replace(at, what.size(), with);
 }
 
 std::string last_line(std::string text) {
-  while (!text.empty() && (text.back() == '\n' || text.back() == '\r' || text.back() == ' ')) text.pop_back();
+  while (!text.empty() && (text.back() == '\n' || text.back() == '\r' || text.back() == ' '))
+    text.pop_back();
   const auto start = text.rfind('\n');
   text = start == std::string::npos ? text : text.substr(start + 1);
   return text.size() > 200 ? text.substr(0, 200) + "..." : text;
@@ -49,10 +52,12 @@ struct OwnFolder {
 
 }  // namespace
 
-ProcessResult run_process(const std::string& command, double time_limit, const fs::path& error_file) {
+ProcessResult run_process(const std::string& command, double time_limit,
+                          const fs::path& error_file) {
   ProcessResult result;
   const auto start = std::chrono::steady_clock::now();
-  // Everything that allocates happens before the fork: the child may only call what is safe in a threaded process.
+  // Everything that allocates happens before the fork: the child may only call what is safe in a
+  // threaded process.
   const std::string errors = error_file.string();
   const char* arguments[] = {"/bin/sh", "-c", command.c_str(), nullptr};
   const pid_t child = fork();
@@ -68,7 +73,9 @@ ProcessResult run_process(const std::string& command, double time_limit, const f
     _exit(127);
   }
   setpgid(child, child);
-  const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+  const auto seconds = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
   int status = 0;
   auto pause = std::chrono::milliseconds(1);
   while (waitpid(child, &status, WNOHANG) == 0) {
@@ -88,7 +95,8 @@ ProcessResult run_process(const std::string& command, double time_limit, const f
   std::error_code error;
   if (fs::exists(error_file, error)) {
     result.error_output = read_file(error_file);
-    if (result.error_output.size() > 4096) result.error_output.erase(0, result.error_output.size() - 4096);
+    if (result.error_output.size() > 4096)
+      result.error_output.erase(0, result.error_output.size() - 4096);
   }
   return result;
 }
@@ -96,7 +104,8 @@ ProcessResult run_process(const std::string& command, double time_limit, const f
 Method external_method(const ExternalOptions& options) {
   for (const char* word : {"{scan}", "{out}"}) {
     if (options.command.find(word) == std::string::npos) {
-      fail_usage("the pipeline's command does not say " + std::string(word), "write --pipeline 'CMD {scan} {out}'");
+      fail_usage("the pipeline's command does not say " + std::string(word),
+                 "write --pipeline 'CMD {scan} {out}'");
     }
   }
   auto folder = std::make_shared<OwnFolder>();
@@ -134,8 +143,10 @@ Method external_method(const ExternalOptions& options) {
       const std::string said = last_line(ended.error_output);
       const std::string why = said.empty() ? "" : ": " + said;
       if (ended.timed_out) fail_data("", "", std::string("killed after ") + limit + " s" + why);
-      if (ended.signal != 0) fail_data("", "", "killed by signal " + std::to_string(ended.signal) + why);
-      if (ended.exit_code != 0) fail_data("", "", "exit code " + std::to_string(ended.exit_code) + why);
+      if (ended.signal != 0)
+        fail_data("", "", "killed by signal " + std::to_string(ended.signal) + why);
+      if (ended.exit_code != 0)
+        fail_data("", "", "exit code " + std::to_string(ended.exit_code) + why);
       if (!fs::exists(output)) fail_data("", "", "left no file" + why);
       answer.points = read_prediction(output, scan.cloud.size(), options.predictions);
     } catch (...) {

@@ -6,9 +6,10 @@
 
 namespace scanchor {
 
-/// Sum of real numbers on a grid of 2^-36 (1.5e-11), kept as an integer: adding is exact, associative and commutative, so scores of
-/// shards pooled in any order have the same bits. Terms must be finite; the sum must stay below 2^26 in absolute value.
-/// A term is rounded by at most 0.7e-11, so a mean is off by no more than that.
+/// Sum of real numbers on a grid of 2^-36 (1.5e-11), kept as an integer: adding is exact,
+/// associative and commutative, so scores of shards pooled in any order have the same bits. Terms
+/// must be finite; the sum must stay below 2^26 in absolute value. A term is rounded by at most
+/// 0.7e-11, so a mean is off by no more than that.
 class FixedSum {
  public:
   void add(double term) { units_ += std::llround(term * scale); }

@@ -14,7 +14,9 @@ double ratio(double part, double whole) { return whole > 0 ? part / whole : 0.0;
 std::size_t tolerance_index(const Protocol& protocol) {
   std::size_t best = 0;
   for (std::size_t i = 0; i < protocol.plane_tolerances.size(); ++i) {
-    const auto off = [&](std::size_t k) { return std::abs(protocol.plane_tolerances[k] - protocol.geometry_tolerance); };
+    const auto off = [&](std::size_t k) {
+      return std::abs(protocol.plane_tolerances[k] - protocol.geometry_tolerance);
+    };
     if (off(i) < off(best)) best = i;
   }
   return best;
@@ -32,21 +34,27 @@ ObjectCounts object_counts(const Score& score, int class_id) {
 void use_objects(const std::string& kind, int class_id, PairedCounts& counts, CountsOf& row) {
   row = [class_id](const Score& score) {
     const auto c = object_counts(score, class_id);
-    return Row{static_cast<double>(c.found), static_cast<double>(c.claims()), static_cast<double>(c.truths)};
+    return Row{static_cast<double>(c.found), static_cast<double>(c.claims()),
+               static_cast<double>(c.truths)};
   };
-  if (kind == "f1") counts.value = [](std::span<const double> s) { return ratio(2 * s[0], s[1] + s[2]); };
-  if (kind == "precision") counts.value = [](std::span<const double> s) { return ratio(s[0], s[1]); };
+  if (kind == "f1")
+    counts.value = [](std::span<const double> s) { return ratio(2 * s[0], s[1] + s[2]); };
+  if (kind == "precision")
+    counts.value = [](std::span<const double> s) { return ratio(s[0], s[1]); };
   if (kind == "recall") counts.value = [](std::span<const double> s) { return ratio(s[0], s[2]); };
 }
 
 // Classes with counts anywhere in the two runs, so that rows stay short.
-std::vector<std::size_t> used_classes(const std::vector<const Score*>& before, const std::vector<const Score*>& after, const ClassRules& rules) {
+std::vector<std::size_t> used_classes(const std::vector<const Score*>& before,
+                                      const std::vector<const Score*>& after,
+                                      const ClassRules& rules) {
   std::vector<char> used(rules.size(), 0);
   for (const auto* scores : {&before, &after}) {
     for (const auto* score : *scores) {
       for (std::size_t c = 0; c < rules.size(); ++c) {
-        const bool seen = !class_points(score->points, c).absent() ||
-                          (c < score->panoptic.classes.size() && score->panoptic.classes[c] != PanopticCounts{});
+        const bool seen =
+            !class_points(score->points, c).absent() ||
+            (c < score->panoptic.classes.size() && score->panoptic.classes[c] != PanopticCounts{});
         used[c] = used[c] || (rules.scored[c] && seen) ? 1 : 0;
       }
     }
@@ -58,16 +66,20 @@ std::vector<std::size_t> used_classes(const std::vector<const Score*>& before, c
   return list;
 }
 
-void use_classes(bool panoptic, const std::vector<std::size_t>& classes, bool skip_absent, double all, PairedCounts& counts, CountsOf& row) {
+void use_classes(bool panoptic, const std::vector<std::size_t>& classes, bool skip_absent,
+                 double all, PairedCounts& counts, CountsOf& row) {
   row = [=](const Score& score) {
     Row r;
     for (const auto c : classes) {
       if (panoptic) {
-        const auto p = c < score.panoptic.classes.size() ? score.panoptic.classes[c] : PanopticCounts{};
-        r.insert(r.end(), {p.iou.value(), static_cast<double>(p.matched) + 0.5 * static_cast<double>(p.extra + p.missed)});
+        const auto p =
+            c < score.panoptic.classes.size() ? score.panoptic.classes[c] : PanopticCounts{};
+        r.insert(r.end(), {p.iou.value(), static_cast<double>(p.matched) +
+                                              0.5 * static_cast<double>(p.extra + p.missed)});
       } else {
         const auto p = class_points(score.points, c);
-        r.insert(r.end(), {static_cast<double>(p.right), static_cast<double>(p.right + p.wrong + p.missed)});
+        r.insert(r.end(),
+                 {static_cast<double>(p.right), static_cast<double>(p.right + p.wrong + p.missed)});
       }
     }
     return r;
@@ -84,7 +96,9 @@ void use_classes(bool panoptic, const std::vector<std::size_t>& classes, bool sk
 }
 
 Verdict judge(const GateMetric& metric, const GateOptions& options, double level) {
-  if (metric.change.high < 0 && metric.difference() < -0.5 * options.margin && metric.p_adjusted < level) return Verdict::regressed;
+  if (metric.change.high < 0 && metric.difference() < -0.5 * options.margin &&
+      metric.p_adjusted < level)
+    return Verdict::regressed;
   if (metric.change.low > 0) return Verdict::improved;
   if (metric.change.low > -options.margin) return Verdict::not_worse;
   return Verdict::inconclusive;
@@ -114,10 +128,14 @@ void GateOptions::describe(OptionList& list) {
 
 std::string verdict_word(Verdict verdict) {
   switch (verdict) {
-    case Verdict::not_worse: return "not worse";
-    case Verdict::improved: return "improved";
-    case Verdict::regressed: return "regressed";
-    case Verdict::inconclusive: break;
+    case Verdict::not_worse:
+      return "not worse";
+    case Verdict::improved:
+      return "improved";
+    case Verdict::regressed:
+      return "regressed";
+    case Verdict::inconclusive:
+      break;
   }
   return "inconclusive";
 }
@@ -128,14 +146,15 @@ ExitCode GateReport::exit_code(bool strict) const {
   return ExitCode::done;
 }
 
-PairedCounts paired_counts(const std::string& metric, const std::vector<const Score*>& before, const std::vector<const Score*>& after,
-                           const Protocol& protocol) {
+PairedCounts paired_counts(const std::string& metric, const std::vector<const Score*>& before,
+                           const std::vector<const Score*>& after, const Protocol& protocol) {
   PairedCounts counts;
   counts.name = metric;
   CountsOf row;
   const ClassRules rules = class_rules(protocol);
-  const std::vector<std::string> known = {"objects.f1", "objects.precision", "objects.recall", "panoptic.pq", "points.miou",
-                                          "planes.f1", "planes.precision", "planes.recall"};
+  const std::vector<std::string> known = {"objects.f1",       "objects.precision", "objects.recall",
+                                          "panoptic.pq",      "points.miou",       "planes.f1",
+                                          "planes.precision", "planes.recall"};
   const std::string of_class = "objects.f1.";
   if (metric.rfind(of_class, 0) == 0 && find_class(metric.substr(of_class.size()))) {
     use_objects("f1", *find_class(metric.substr(of_class.size())), counts, row);
@@ -146,22 +165,31 @@ PairedCounts paired_counts(const std::string& metric, const std::vector<const Sc
   } else if (metric.rfind("planes.", 0) == 0) {
     const std::size_t t = tolerance_index(protocol);
     row = [t](const Score& score) {
-      const double correct = t < score.planes.hoover.size() ? static_cast<double>(score.planes.hoover[t].correct) : 0.0;
-      return Row{correct, static_cast<double>(score.planes.regions), static_cast<double>(score.planes.truths)};
+      const double correct = t < score.planes.hoover.size()
+                                 ? static_cast<double>(score.planes.hoover[t].correct)
+                                 : 0.0;
+      return Row{correct, static_cast<double>(score.planes.regions),
+                 static_cast<double>(score.planes.truths)};
     };
-    if (metric == "planes.f1") counts.value = [](std::span<const double> s) { return ratio(2 * s[0], s[1] + s[2]); };
-    if (metric == "planes.precision") counts.value = [](std::span<const double> s) { return ratio(s[0], s[1]); };
-    if (metric == "planes.recall") counts.value = [](std::span<const double> s) { return ratio(s[0], s[2]); };
+    if (metric == "planes.f1")
+      counts.value = [](std::span<const double> s) { return ratio(2 * s[0], s[1] + s[2]); };
+    if (metric == "planes.precision")
+      counts.value = [](std::span<const double> s) { return ratio(s[0], s[1]); };
+    if (metric == "planes.recall")
+      counts.value = [](std::span<const double> s) { return ratio(s[0], s[2]); };
   } else {
-    const auto scored = static_cast<double>(std::count(rules.scored.begin(), rules.scored.end(), 1));
-    use_classes(metric == "panoptic.pq", used_classes(before, after, rules), protocol.absent_class == "skip", scored, counts, row);
+    const auto scored =
+        static_cast<double>(std::count(rules.scored.begin(), rules.scored.end(), 1));
+    use_classes(metric == "panoptic.pq", used_classes(before, after, rules),
+                protocol.absent_class == "skip", scored, counts, row);
   }
   for (const auto* score : before) counts.before.push_back(row(*score));
   for (const auto* score : after) counts.after.push_back(row(*score));
   return counts;
 }
 
-GateReport compare_runs(const RunResult& before, const RunResult& after, const GateOptions& options, double level) {
+GateReport compare_runs(const RunResult& before, const RunResult& after, const GateOptions& options,
+                        double level) {
   require_comparable(before.pooled, after.pooled);
   const double alpha = level > 0 ? level : options.alpha;
   GateReport report;
@@ -178,7 +206,8 @@ GateReport compare_runs(const RunResult& before, const RunResult& after, const G
     const auto found = old.find(row.index);
     if (found == old.end()) continue;
     if (found->second->seed != row.seed) {
-      fail_data("", "scene " + row.name, "was made from another seed in the baseline", "scenes must not be drawn anew between runs");
+      fail_data("", "scene " + row.name, "was made from another seed in the baseline",
+                "scenes must not be drawn anew between runs");
     }
     first.push_back(&found->second->score);
     second.push_back(&row.score);
@@ -186,7 +215,9 @@ GateReport compare_runs(const RunResult& before, const RunResult& after, const G
     for (const auto& line : row.score.failed) {
       const std::string scan = line.substr(0, line.find(": "));
       const auto& was = found->second->score.failed;
-      const bool known = std::any_of(was.begin(), was.end(), [&](const std::string& l) { return l.rfind(scan + ": ", 0) == 0; });
+      const bool known = std::any_of(was.begin(), was.end(), [&](const std::string& l) {
+        return l.rfind(scan + ": ", 0) == 0;
+      });
       if (!known) report.newly_failed.push_back(line);
     }
   }
@@ -198,38 +229,49 @@ GateReport compare_runs(const RunResult& before, const RunResult& after, const G
     report.gated.push_back(measure(counts.back(), alpha, options));
   }
   const auto adjusted = step_down_p(counts, options.replicates, options.seed);
-  bool regressed = !report.newly_failed.empty(), inconclusive = false, improved = !report.gated.empty();
+  bool regressed = !report.newly_failed.empty(), inconclusive = false,
+       improved = !report.gated.empty();
   for (std::size_t i = 0; i < report.gated.size(); ++i) {
     auto& metric = report.gated[i];
     metric.p_adjusted = adjusted[i];
-    metric.verdict = counts[i].before == counts[i].after ? Verdict::not_worse : judge(metric, options, alpha);
+    metric.verdict =
+        counts[i].before == counts[i].after ? Verdict::not_worse : judge(metric, options, alpha);
     regressed = regressed || metric.verdict == Verdict::regressed;
     inconclusive = inconclusive || metric.verdict == Verdict::inconclusive;
     improved = improved && metric.verdict == Verdict::improved;
   }
-  report.verdict = regressed ? Verdict::regressed : inconclusive ? Verdict::inconclusive : improved ? Verdict::improved : Verdict::not_worse;
+  report.verdict = regressed      ? Verdict::regressed
+                   : inconclusive ? Verdict::inconclusive
+                   : improved     ? Verdict::improved
+                                  : Verdict::not_worse;
   for (const auto& info : class_list()) {
     if (!options.class_details) break;
-    PairedCounts one = paired_counts("objects.f1." + std::string(info.name), first, second, after.protocol);
+    PairedCounts one =
+        paired_counts("objects.f1." + std::string(info.name), first, second, after.protocol);
     if (one.before == one.after) continue;
     GateOptions quick = options;
     quick.replicates = std::min(options.replicates, 2000);
     report.classes.push_back(measure(one, alpha, quick));
   }
-  std::stable_sort(report.classes.begin(), report.classes.end(),
-                   [](const GateMetric& a, const GateMetric& b) { return a.difference() < b.difference(); });
+  std::stable_sort(
+      report.classes.begin(), report.classes.end(),
+      [](const GateMetric& a, const GateMetric& b) { return a.difference() < b.difference(); });
   if (counts.empty()) return report;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double difference = scene_difference(counts.front(), i);
-    if (difference < 0) report.worst.push_back({rows[i]->index, rows[i]->name, rows[i]->family, rows[i]->seed, difference});
+    if (difference < 0)
+      report.worst.push_back(
+          {rows[i]->index, rows[i]->name, rows[i]->family, rows[i]->seed, difference});
   }
-  std::stable_sort(report.worst.begin(), report.worst.end(), [](const GateScene& a, const GateScene& b) { return a.difference < b.difference; });
+  std::stable_sort(
+      report.worst.begin(), report.worst.end(),
+      [](const GateScene& a, const GateScene& b) { return a.difference < b.difference; });
   if (report.worst.size() > 3) report.worst.resize(3);
   return report;
 }
 
-GateReport check_against(const RunResult& baseline, const std::function<RunResult(int scenes)>& run, const GateOptions& options,
-                         std::vector<int> looks) {
+GateReport check_against(const RunResult& baseline, const std::function<RunResult(int scenes)>& run,
+                         const GateOptions& options, std::vector<int> looks) {
   const int there = static_cast<int>(baseline.rows.size());
   if (there == 0) throw Error(ExitCode::nothing_measured, "the baseline has no scenes");
   std::erase_if(looks, [&](int n) { return n >= there || n < 1; });
@@ -240,7 +282,8 @@ GateReport check_against(const RunResult& baseline, const std::function<RunResul
     report = compare_runs(baseline, run(looks[i]), options, look_alpha(looks, i, options.alpha));
     if (report.verdict != Verdict::inconclusive) return report;
   }
-  report.next = "the baseline has " + std::to_string(there) + " scenes: make one with " + std::to_string(2 * there) + " to see more";
+  report.next = "the baseline has " + std::to_string(there) + " scenes: make one with " +
+                std::to_string(2 * there) + " to see more";
   return report;
 }
 

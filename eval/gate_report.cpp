@@ -11,18 +11,24 @@ std::string points(double value) { return fmt::format("{:+.2f}", 100 * value); }
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
-    if (c == '&') out += "&amp;";
-    else if (c == '<') out += "&lt;";
-    else if (c == '>') out += "&gt;";
-    else if (c == '"') out += "&quot;";
-    else if (static_cast<unsigned char>(c) >= 0x20 || c == '\n') out += c;
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '"')
+      out += "&quot;";
+    else if (static_cast<unsigned char>(c) >= 0x20 || c == '\n')
+      out += c;
   }
   return out;
 }
 
 std::string sentence(const GateMetric& m) {
-  return fmt::format("{}: {:.2f} -> {:.2f}, {} points [{} .. {}], p = {:.4f}: {}", m.name, 100 * m.before, 100 * m.after,
-                     points(m.difference()), points(m.change.low), points(m.change.high), m.p_adjusted, verdict_word(m.verdict));
+  return fmt::format("{}: {:.2f} -> {:.2f}, {} points [{} .. {}], p = {:.4f}: {}", m.name,
+                     100 * m.before, 100 * m.after, points(m.difference()), points(m.change.low),
+                     points(m.change.high), m.p_adjusted, verdict_word(m.verdict));
 }
 
 Json metric_out(const GateMetric& m, bool verdict) {
@@ -91,41 +97,52 @@ Json gate_to_bencher(const GateReport& report) {
 }
 
 std::string gate_to_text(const GateReport& report) {
-  std::string text = fmt::format("{} over {} scenes of {}\n", verdict_word(report.verdict), report.scenes, report.data);
+  std::string text = fmt::format("{} over {} scenes of {}\n", verdict_word(report.verdict),
+                                 report.scenes, report.data);
   for (const auto& metric : report.gated) text += "  " + sentence(metric) + "\n";
   for (const auto& line : report.newly_failed) text += "  no answer any more: " + line + "\n";
   for (const auto& metric : report.classes) {
     if (metric.difference() < 0 && report.verdict != Verdict::not_worse) {
-      text += fmt::format("  class {}: {} points [{} .. {}]\n", metric.name.substr(11), points(metric.difference()),
-                          points(metric.change.low), points(metric.change.high));
+      text += fmt::format("  class {}: {} points [{} .. {}]\n", metric.name.substr(11),
+                          points(metric.difference()), points(metric.change.low),
+                          points(metric.change.high));
     }
   }
   for (const auto& scene : report.worst) {
-    text += fmt::format("  scene {} ({}, index {}): {} points\n", scene.name, scene.family, scene.index, points(scene.difference));
+    text += fmt::format("  scene {} ({}, index {}): {} points\n", scene.name, scene.family,
+                        scene.index, points(scene.difference));
   }
   if (!report.next.empty()) text += "  " + report.next + "\n";
   return text;
 }
 
 std::string gate_to_markdown(const GateReport& report) {
-  std::string text = fmt::format("### {}: {} ({} scenes)\n\n`{}`, protocol `{}`, `{}` against `{}`\n\n", report.suite,
-                                 verdict_word(report.verdict), report.scenes, report.data, report.protocol, report.after_method,
-                                 report.before_method);
-  text += "| metric | before | after | change | interval | p | verdict |\n| --- | ---: | ---: | ---: | ---: | ---: | --- |\n";
+  std::string text =
+      fmt::format("### {}: {} ({} scenes)\n\n`{}`, protocol `{}`, `{}` against `{}`\n\n",
+                  report.suite, verdict_word(report.verdict), report.scenes, report.data,
+                  report.protocol, report.after_method, report.before_method);
+  text +=
+      "| metric | before | after | change | interval | p | verdict |\n| --- | ---: | ---: | ---: | "
+      "---: | ---: | --- |\n";
   for (const auto& m : report.gated) {
-    text += fmt::format("| {} | {:.2f} | {:.2f} | {} | {} .. {} | {:.4f} | {} |\n", m.name, 100 * m.before, 100 * m.after,
-                        points(m.difference()), points(m.change.low), points(m.change.high), m.p_adjusted, verdict_word(m.verdict));
+    text += fmt::format("| {} | {:.2f} | {:.2f} | {} | {} .. {} | {:.4f} | {} |\n", m.name,
+                        100 * m.before, 100 * m.after, points(m.difference()), points(m.change.low),
+                        points(m.change.high), m.p_adjusted, verdict_word(m.verdict));
   }
   if (!report.classes.empty()) {
-    text += "\n| class (F1, for information) | before | after | change | interval |\n| --- | ---: | ---: | ---: | ---: |\n";
+    text +=
+        "\n| class (F1, for information) | before | after | change | interval |\n| --- | ---: | "
+        "---: | ---: | ---: |\n";
     for (const auto& m : report.classes) {
-      text += fmt::format("| {} | {:.2f} | {:.2f} | {} | {} .. {} |\n", m.name.substr(11), 100 * m.before, 100 * m.after,
-                          points(m.difference()), points(m.change.low), points(m.change.high));
+      text += fmt::format("| {} | {:.2f} | {:.2f} | {} | {} .. {} |\n", m.name.substr(11),
+                          100 * m.before, 100 * m.after, points(m.difference()),
+                          points(m.change.low), points(m.change.high));
     }
   }
   for (const auto& line : report.newly_failed) text += "\n* no answer any more: " + line;
   if (!report.worst.empty()) text += "\nLargest drops:";
-  for (const auto& scene : report.worst) text += fmt::format(" scene {} ({}, {})", scene.name, scene.family, points(scene.difference));
+  for (const auto& scene : report.worst)
+    text += fmt::format(" scene {} ({}, {})", scene.name, scene.family, points(scene.difference));
   return text + "\n";
 }
 
@@ -134,7 +151,8 @@ std::string gate_to_junit(const GateReport& report) {
   int skipped = 0;
   std::string cases;
   for (const auto& metric : report.gated) {
-    cases += fmt::format("    <testcase classname=\"scanchor.{}\" name=\"{}\">", escaped(report.suite), escaped(metric.name));
+    cases += fmt::format("    <testcase classname=\"scanchor.{}\" name=\"{}\">",
+                         escaped(report.suite), escaped(metric.name));
     if (metric.verdict == Verdict::regressed) {
       ++failures;
       cases += fmt::format("<failure message=\"{}\"/>", escaped(sentence(metric)));
@@ -146,16 +164,20 @@ std::string gate_to_junit(const GateReport& report) {
     }
     cases += "</testcase>\n";
   }
-  cases += fmt::format("    <testcase classname=\"scanchor.{}\" name=\"every scan has an answer\">", escaped(report.suite));
+  cases += fmt::format("    <testcase classname=\"scanchor.{}\" name=\"every scan has an answer\">",
+                       escaped(report.suite));
   if (!report.newly_failed.empty()) {
     std::string list;
     for (const auto& line : report.newly_failed) list += line + "\n";
-    cases += fmt::format("<failure message=\"{} scans have no answer any more\">{}</failure>", report.newly_failed.size(), escaped(list));
+    cases += fmt::format("<failure message=\"{} scans have no answer any more\">{}</failure>",
+                         report.newly_failed.size(), escaped(list));
   }
   cases += "</testcase>\n";
-  return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite name=\"scanchor check {}\" tests=\"{}\" "
-                     "failures=\"{}\" skipped=\"{}\">\n{}  </testsuite>\n</testsuites>\n",
-                     escaped(report.suite), report.gated.size() + 1, failures, skipped, cases);
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite name=\"scanchor "
+      "check {}\" tests=\"{}\" "
+      "failures=\"{}\" skipped=\"{}\">\n{}  </testsuite>\n</testsuites>\n",
+      escaped(report.suite), report.gated.size() + 1, failures, skipped, cases);
 }
 
 }  // namespace scanchor

@@ -50,7 +50,8 @@ double ErrorStats::mean() const { return mean_of(absolute, count); }
 double ErrorStats::bias() const { return mean_of(signed_sum, count); }
 double ErrorStats::rms() const { return std::sqrt(mean_of(squared, count)); }
 double ErrorStats::coverage() const {
-  return with_interval > 0 ? static_cast<double>(covered) / static_cast<double>(with_interval) : 0.0;
+  return with_interval > 0 ? static_cast<double>(covered) / static_cast<double>(with_interval)
+                           : 0.0;
 }
 
 double ErrorStats::quantile(double share) const {
@@ -75,13 +76,15 @@ void GeometryScore::add(const GeometryScore& other) {
   group_size.add(other.group_size);
 }
 
-GeometryScore score_geometry(const ScanTruth& truth, const PlaneMatch& match, const Surfaces& surfaces, const Scan& scan,
-                             const Protocol& protocol) {
+GeometryScore score_geometry(const ScanTruth& truth, const PlaneMatch& match,
+                             const Surfaces& surfaces, const Scan& scan, const Protocol& protocol) {
   GeometryScore score;
   for (std::size_t t = 0; t < truth.planes.size(); ++t) {
     const PlaneTruth& plane = truth.planes[t];
     const std::int32_t region = t < match.region_of_truth.size() ? match.region_of_truth[t] : -1;
-    if (region < 0 || !plane.has_geometry || static_cast<std::size_t>(region) >= surfaces.surfaces.size()) continue;
+    if (region < 0 || !plane.has_geometry ||
+        static_cast<std::size_t>(region) >= surfaces.surfaces.size())
+      continue;
     const Surface& surface = surfaces.surfaces[static_cast<std::size_t>(region)];
     const double cosine = std::abs(surface.plane.normal.dot(plane.normal));
     // asin of the cross product keeps its digits where acos of nearly 1 has none.
@@ -90,11 +93,14 @@ GeometryScore score_geometry(const ScanTruth& truth, const PlaneMatch& match, co
     const double off = plane.normal.dot(surface.plane.centroid) - plane.offset;
     score.offset.add(off);
     if (surface.plane.centroid_sigma > 0) {
-      score.offset.add_interval(std::abs(off) <= normal_quantile(0.975) * surface.plane.centroid_sigma);
+      score.offset.add_interval(std::abs(off) <=
+                                normal_quantile(0.975) * surface.plane.centroid_sigma);
     }
     const Eigen::Vector3d up = scan.T_world_sensor.linear() * plane.normal;
     if (std::abs(up.z()) > 0.999) score.elevation.add(off * (up.z() > 0 ? 1.0 : -1.0));
-    if (plane.faces.size() != 1 || plane.visible_fraction < protocol.full_view || surface.polygons.empty()) continue;
+    if (plane.faces.size() != 1 || plane.visible_fraction < protocol.full_view ||
+        surface.polygons.empty())
+      continue;
     compare(score.length, surface.rectangle.length, plane.length);
     compare(score.width, surface.rectangle.width, plane.width);
     compare(score.area, surface.area, plane.area);
@@ -102,11 +108,14 @@ GeometryScore score_geometry(const ScanTruth& truth, const PlaneMatch& match, co
   return score;
 }
 
-void score_groups(const ObjectSummary& summary, const Labelling& labelling, const Scan& scan, const Scene& scene, GeometryScore& score) {
+void score_groups(const ObjectSummary& summary, const Labelling& labelling, const Scan& scan,
+                  const Scene& scene, GeometryScore& score) {
   for (const auto& thing : summary.things) {
     if (thing.claim < 0 || thing.instance < 0) continue;
-    const auto entity_id = static_cast<std::size_t>(std::max(summary.claims[static_cast<std::size_t>(thing.claim)].instance, 0));
-    if (entity_id >= labelling.entities.size() || labelling.entities[entity_id].members.empty()) continue;
+    const auto entity_id = static_cast<std::size_t>(
+        std::max(summary.claims[static_cast<std::size_t>(thing.claim)].instance, 0));
+    if (entity_id >= labelling.entities.size() || labelling.entities[entity_id].members.empty())
+      continue;
     const Entity& entity = labelling.entities[entity_id];
     for (const auto& instance : scene.instances) {
       if (instance.id != thing.instance) continue;
@@ -115,7 +124,8 @@ void score_groups(const ObjectSummary& summary, const Labelling& labelling, cons
         for (const auto& vertex : part.vertices) box.extend(part.T_instance_part * vertex);
       }
       if (box.isEmpty()) continue;
-      const Eigen::Vector3d center = scan.T_world_sensor.inverse() * (instance.T_world_instance * box.center());
+      const Eigen::Vector3d center =
+          scan.T_world_sensor.inverse() * (instance.T_world_instance * box.center());
       score.group_center.add((entity.center - center).norm());
       score.group_size.add(entity.size.maxCoeff() - box.sizes().maxCoeff());
     }

@@ -8,13 +8,15 @@ namespace {
 
 // The segments of one class in one scan.
 struct OneClass {
-  std::vector<std::size_t> truths, claims;         // indices into Segments
-  std::vector<std::vector<double>> iou;            // [claim][truth]
+  std::vector<std::size_t> truths, claims;  // indices into Segments
+  std::vector<std::vector<double>> iou;     // [claim][truth]
 };
 
-std::vector<OneClass> by_class(const Segments& segments, const ClassRules& rules, const Protocol& protocol) {
+std::vector<OneClass> by_class(const Segments& segments, const ClassRules& rules,
+                               const Protocol& protocol) {
   std::vector<OneClass> classes(rules.size());
-  std::vector<std::size_t> truth_place(segments.truth.size()), claim_place(segments.predicted.size());
+  std::vector<std::size_t> truth_place(segments.truth.size()),
+      claim_place(segments.predicted.size());
   for (std::size_t i = 0; i < segments.truth.size(); ++i) {
     auto& list = classes[static_cast<std::size_t>(segments.truth[i].class_id)].truths;
     truth_place[i] = list.size();
@@ -25,23 +27,27 @@ std::vector<OneClass> by_class(const Segments& segments, const ClassRules& rules
     claim_place[i] = list.size();
     list.push_back(i);
   }
-  for (auto& one : classes) one.iou.assign(one.claims.size(), std::vector<double>(one.truths.size(), 0.0));
+  for (auto& one : classes)
+    one.iou.assign(one.claims.size(), std::vector<double>(one.truths.size(), 0.0));
   for (const auto& overlap : segments.overlaps) {
     const auto t = static_cast<std::size_t>(overlap.truth);
     const auto p = static_cast<std::size_t>(overlap.predicted);
     if (segments.truth[t].class_id != segments.predicted[p].class_id) continue;
-    classes[static_cast<std::size_t>(segments.truth[t].class_id)].iou[claim_place[p]][truth_place[t]] =
-        segment_iou(segments, overlap, protocol);
+    classes[static_cast<std::size_t>(segments.truth[t].class_id)]
+        .iou[claim_place[p]][truth_place[t]] = segment_iou(segments, overlap, protocol);
   }
   return classes;
 }
 
-// COCO (cocoeval.py, evaluateImg): claims by falling confidence, each takes the best free truth; ignored truth last.
-void match_coco(const Segments& segments, const OneClass& one, const std::vector<double>& levels, InstanceClass& out) {
+// COCO (cocoeval.py, evaluateImg): claims by falling confidence, each takes the best free truth;
+// ignored truth last.
+void match_coco(const Segments& segments, const OneClass& one, const std::vector<double>& levels,
+                InstanceClass& out) {
   std::vector<std::size_t> order(one.claims.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return segments.predicted[one.claims[a]].confidence > segments.predicted[one.claims[b]].confidence;
+    return segments.predicted[one.claims[a]].confidence >
+           segments.predicted[one.claims[b]].confidence;
   });
   std::vector<Detection> detections(one.claims.size());
   for (std::size_t level = 0; level < levels.size(); ++level) {
@@ -54,7 +60,9 @@ void match_coco(const Segments& segments, const OneClass& one, const std::vector
       for (const bool ignored : {false, true}) {
         if (found != one.truths.size()) break;
         for (std::size_t t = 0; t < one.truths.size(); ++t) {
-          if (segments.truth[one.truths[t]].ignored != ignored || taken[t] || one.iou[claim][t] < best) continue;
+          if (segments.truth[one.truths[t]].ignored != ignored || taken[t] ||
+              one.iou[claim][t] < best)
+            continue;
           best = one.iou[claim][t];
           found = t;
         }
@@ -74,11 +82,13 @@ void match_coco(const Segments& segments, const OneClass& one, const std::vector
   out.detections = std::move(detections);
 }
 
-// ScanNet (evaluate_semantic_instance.py, evaluate_matches): truths in order, each takes every claim that overlaps enough; of two on
-// one truth the lower confidence is a false claim.
-void match_scannet(const Segments& segments, const OneClass& one, const std::vector<double>& levels, const Protocol& protocol,
-                   InstanceClass& out) {
-  const auto large = [&](std::size_t claim) { return segments.predicted[one.claims[claim]].points >= protocol.min_points; };
+// ScanNet (evaluate_semantic_instance.py, evaluate_matches): truths in order, each takes every
+// claim that overlaps enough; of two on one truth the lower confidence is a false claim.
+void match_scannet(const Segments& segments, const OneClass& one, const std::vector<double>& levels,
+                   const Protocol& protocol, InstanceClass& out) {
+  const auto large = [&](std::size_t claim) {
+    return segments.predicted[one.claims[claim]].points >= protocol.min_points;
+  };
   for (std::size_t level = 0; level < levels.size(); ++level) {
     const std::uint32_t bit = 1U << level;
     std::vector<char> visited(one.claims.size(), 0);
@@ -102,10 +112,13 @@ void match_scannet(const Segments& segments, const OneClass& one, const std::vec
     }
     for (std::size_t claim = 0; claim < one.claims.size(); ++claim) {
       if (!large(claim)) continue;
-      const bool found = std::any_of(one.iou[claim].begin(), one.iou[claim].end(), [&](double iou) { return iou > levels[level]; });
+      const bool found = std::any_of(one.iou[claim].begin(), one.iou[claim].end(),
+                                     [&](double iou) { return iou > levels[level]; });
       const auto& segment = segments.predicted[one.claims[claim]];
-      const double unknown = static_cast<double>(segment.void_points) / static_cast<double>(segment.points);
-      if (!found && unknown <= levels[level]) out.detections.push_back({segment.confidence, bit, 0});
+      const double unknown =
+          static_cast<double>(segment.void_points) / static_cast<double>(segment.points);
+      if (!found && unknown <= levels[level])
+        out.detections.push_back({segment.confidence, bit, 0});
     }
   }
 }
@@ -124,7 +137,8 @@ double area_coco(const std::vector<Entry>& entries, std::int64_t truths) {
     precision.push_back(right / static_cast<double>(i + 1));
     recall.push_back(right / static_cast<double>(truths));
   }
-  for (std::size_t i = precision.size(); i-- > 1;) precision[i - 1] = std::max(precision[i - 1], precision[i]);
+  for (std::size_t i = precision.size(); i-- > 1;)
+    precision[i - 1] = std::max(precision[i - 1], precision[i]);
   double sum = 0;
   for (int i = 0; i <= 100; ++i) {
     const double wanted = i == 100 ? 1.0 : 0.01 * i;  // as numpy's linspace
@@ -134,7 +148,8 @@ double area_coco(const std::vector<Entry>& entries, std::int64_t truths) {
   return sum / 101.0;
 }
 
-// ScanNet: one point of the curve for each different confidence, area by the trapezoid-like convolution with (1/2, 0, -1/2).
+// ScanNet: one point of the curve for each different confidence, area by the trapezoid-like
+// convolution with (1/2, 0, -1/2).
 double area_scannet(const std::vector<Entry>& entries, std::int64_t truths) {
   std::vector<double> precision = {1.0}, recall = {0.0};  // from high confidence to low
   double right = 0;
@@ -161,7 +176,8 @@ std::vector<double> ap_levels(const Protocol& protocol) {
   return levels;
 }
 
-InstanceScore score_instances(const Segments& segments, const ClassRules& rules, const Protocol& protocol) {
+InstanceScore score_instances(const Segments& segments, const ClassRules& rules,
+                              const Protocol& protocol) {
   InstanceScore score;
   score.classes.resize(rules.size());
   const auto levels = ap_levels(protocol);
@@ -185,7 +201,8 @@ void InstanceScore::add(const InstanceScore& other) {
   for (std::size_t c = 0; c < other.classes.size(); ++c) {
     classes[c].truths += other.classes[c].truths;
     classes[c].claimed = classes[c].claimed || other.classes[c].claimed;
-    classes[c].detections.insert(classes[c].detections.end(), other.classes[c].detections.begin(), other.classes[c].detections.end());
+    classes[c].detections.insert(classes[c].detections.end(), other.classes[c].detections.begin(),
+                                 other.classes[c].detections.end());
   }
 }
 
@@ -193,14 +210,18 @@ double average_precision(const InstanceClass& counts, std::size_t level, const P
   if (counts.truths == 0) return -1.0;
   std::vector<Entry> entries;
   for (const auto& detection : counts.detections) {
-    if (detection.counts >> level & 1U) entries.push_back({detection.confidence, (detection.right >> level & 1U) != 0});
+    if (detection.counts >> level & 1U)
+      entries.push_back({detection.confidence, (detection.right >> level & 1U) != 0});
   }
-  std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.confidence > b.confidence; });
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const Entry& a, const Entry& b) { return a.confidence > b.confidence; });
   if (entries.empty()) return 0.0;
-  return protocol.average_precision == "scannet" ? area_scannet(entries, counts.truths) : area_coco(entries, counts.truths);
+  return protocol.average_precision == "scannet" ? area_scannet(entries, counts.truths)
+                                                 : area_coco(entries, counts.truths);
 }
 
-double mean_average_precision(const InstanceScore& score, std::size_t level, const ClassRules& rules, const Protocol& protocol) {
+double mean_average_precision(const InstanceScore& score, std::size_t level,
+                              const ClassRules& rules, const Protocol& protocol) {
   double sum = 0;
   int classes = 0;
   for (std::size_t c = 0; c < std::min(rules.size(), score.classes.size()); ++c) {
@@ -211,10 +232,13 @@ double mean_average_precision(const InstanceScore& score, std::size_t level, con
   return classes > 0 ? sum / classes : 0.0;
 }
 
-double mean_average_precision(const InstanceScore& score, const ClassRules& rules, const Protocol& protocol) {
+double mean_average_precision(const InstanceScore& score, const ClassRules& rules,
+                              const Protocol& protocol) {
   double sum = 0;
-  for (std::size_t i = 0; i < protocol.ap_thresholds.size(); ++i) sum += mean_average_precision(score, i + 1, rules, protocol);
-  return protocol.ap_thresholds.empty() ? 0.0 : sum / static_cast<double>(protocol.ap_thresholds.size());
+  for (std::size_t i = 0; i < protocol.ap_thresholds.size(); ++i)
+    sum += mean_average_precision(score, i + 1, rules, protocol);
+  return protocol.ap_thresholds.empty() ? 0.0
+                                        : sum / static_cast<double>(protocol.ap_thresholds.size());
 }
 
 }  // namespace scanchor

@@ -10,7 +10,8 @@ namespace {
 
 std::size_t bin_of(double probability, std::size_t bins) {
   // (low, high], the first with 0: as in the published code of Guo et al.
-  const double place = std::ceil(std::clamp(probability, 0.0, 1.0) * static_cast<double>(bins)) - 1.0;
+  const double place =
+      std::ceil(std::clamp(probability, 0.0, 1.0) * static_cast<double>(bins)) - 1.0;
   return static_cast<std::size_t>(std::max(place, 0.0));
 }
 
@@ -88,7 +89,8 @@ double expected_calibration_error(const LabelScore& score) {
 }
 
 double brier_score(const LabelScore& score) {
-  return score.brier_things > 0 ? score.brier.value() / static_cast<double>(score.brier_things) : 0.0;
+  return score.brier_things > 0 ? score.brier.value() / static_cast<double>(score.brier_things)
+                                : 0.0;
 }
 double unknown_rate(const LabelScore& score) { return ratio(score.unknown, score.things); }
 double ambiguous_rate(const LabelScore& score) { return ratio(score.ambiguous, score.things); }
@@ -101,7 +103,8 @@ std::vector<RiskPoint> risk_coverage(const LabelScore& score) {
     if (score.risk[i].count == 0) continue;
     taken += score.risk[i].count;
     wrong += score.risk[i].count - score.risk[i].right;
-    points.push_back({ratio(taken, score.things), ratio(wrong, taken), static_cast<double>(i) / static_cast<double>(score.risk.size())});
+    points.push_back({ratio(taken, score.things), ratio(wrong, taken),
+                      static_cast<double>(i) / static_cast<double>(score.risk.size())});
   }
   return points;
 }
@@ -121,7 +124,8 @@ std::vector<LabelledThing> labelled_things(const ObjectSummary& summary) {
   for (const auto& claim : summary.claims) {
     if (claim.status == ClaimStatus::ignored) continue;
     LabelledThing thing;
-    thing.truth = claim.thing < 0 ? unlabelled : summary.things[static_cast<std::size_t>(claim.thing)].class_id;
+    thing.truth = claim.thing < 0 ? unlabelled
+                                  : summary.things[static_cast<std::size_t>(claim.thing)].class_id;
     thing.label = claim.class_id;
     thing.probability = claim.confidence;
     things.push_back(thing);
@@ -129,12 +133,14 @@ std::vector<LabelledThing> labelled_things(const ObjectSummary& summary) {
   return things;
 }
 
-std::vector<LabelledThing> labelled_things(const ScanTruth& truth, const Surfaces& surfaces, const Labelling& labelling,
-                                           const Protocol& protocol, const std::vector<ClassId>& described) {
+std::vector<LabelledThing> labelled_things(const ScanTruth& truth, const Surfaces& surfaces,
+                                           const Labelling& labelling, const Protocol& protocol,
+                                           const std::vector<ClassId>& described) {
   const ClassRules rules = class_rules(protocol);
   std::vector<char> has_word(rules.size(), described.empty() ? 1 : 0);
   for (const auto id : described) {
-    if (const auto counted = rules.of(id); counted >= 0) has_word[static_cast<std::size_t>(counted)] = 1;
+    if (const auto counted = rules.of(id); counted >= 0)
+      has_word[static_cast<std::size_t>(counted)] = 1;
   }
   // Which entity a point belongs to, named or not.
   std::vector<std::int32_t> owner(truth.size(), -1);
@@ -147,7 +153,8 @@ std::vector<LabelledThing> labelled_things(const ScanTruth& truth, const Surface
   }
   std::vector<std::int32_t> counted(truth.size(), -1);
   for (std::size_t i = 0; i < truth.size(); ++i) {
-    const bool ignored = std::binary_search(truth.ignored_instances.begin(), truth.ignored_instances.end(), truth.instance[i]);
+    const bool ignored = std::binary_search(truth.ignored_instances.begin(),
+                                            truth.ignored_instances.end(), truth.instance[i]);
     if (!ignored) counted[i] = rules.of(truth.class_id[i]);
   }
   struct Laid {
@@ -171,7 +178,8 @@ std::vector<LabelledThing> labelled_things(const ScanTruth& truth, const Surface
     if (entry.points < protocol.plane_min_points || 2 * entry.with_truth < entry.points) continue;
     const Entity& entity = labelling.entities[e];
     LabelledThing thing;
-    const bool mostly = static_cast<double>(entry.most) > protocol.object_purity * static_cast<double>(entry.with_truth);
+    const bool mostly = static_cast<double>(entry.most) >
+                        protocol.object_purity * static_cast<double>(entry.with_truth);
     if (mostly && has_word[static_cast<std::size_t>(entry.truth)]) thing.truth = entry.truth;
     const auto counted_class = [&](const std::string& label) {
       const auto id = class_of_label(label);
@@ -182,7 +190,8 @@ std::vector<LabelledThing> labelled_things(const ScanTruth& truth, const Surface
     thing.probability = std::clamp(entity.probability, 0.0, 1.0);
     for (const auto& word : entity.classes) {
       const auto id = counted_class(word.name);
-      const auto found = std::find_if(thing.distribution.begin(), thing.distribution.end(), [&](const auto& p) { return p.first == id; });
+      const auto found = std::find_if(thing.distribution.begin(), thing.distribution.end(),
+                                      [&](const auto& p) { return p.first == id; });
       if (found == thing.distribution.end()) {
         thing.distribution.emplace_back(id, std::clamp(word.probability, 0.0, 1.0));
       } else {

@@ -14,13 +14,15 @@ double ratio(std::int64_t part, std::int64_t whole) {
   return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
 }
 
-std::vector<ThingResult> list_things(const Segments& segments, const ScanTruth& truth, const ClassRules& rules,
+std::vector<ThingResult> list_things(const Segments& segments, const ScanTruth& truth,
+                                     const ClassRules& rules,
                                      const std::vector<ClassId>& described) {
   std::map<std::int32_t, const ThingTruth*> by_instance;
   for (const auto& thing : truth.things) by_instance[thing.instance] = &thing;
   std::vector<char> has_word(rules.size(), described.empty() ? 1 : 0);
   for (const auto id : described) {
-    if (const auto counted = rules.of(id); counted >= 0) has_word[static_cast<std::size_t>(counted)] = 1;
+    if (const auto counted = rules.of(id); counted >= 0)
+      has_word[static_cast<std::size_t>(counted)] = 1;
   }
   std::vector<ThingResult> things;
   for (const auto& segment : segments.truth) {
@@ -36,18 +38,22 @@ std::vector<ThingResult> list_things(const Segments& segments, const ScanTruth& 
       }
     }
     if (segment.ignored) thing.status = ThingStatus::ignored;
-    if (!has_word[static_cast<std::size_t>(segment.class_id)]) thing.status = ThingStatus::not_described;
+    if (!has_word[static_cast<std::size_t>(segment.class_id)])
+      thing.status = ThingStatus::not_described;
     things.push_back(thing);
   }
   return things;
 }
 
 // For each claim, the truth that most of it lies on.
-void lay_claims(const Segments& segments, const Protocol& protocol, std::vector<ClaimResult>& claims) {
+void lay_claims(const Segments& segments, const Protocol& protocol,
+                std::vector<ClaimResult>& claims) {
   std::vector<std::int64_t> most(claims.size(), 0);
   for (const auto& overlap : segments.overlaps) {
     const auto p = static_cast<std::size_t>(overlap.predicted);
-    if (segments.truth[static_cast<std::size_t>(overlap.truth)].ignored || overlap.points <= most[p]) continue;
+    if (segments.truth[static_cast<std::size_t>(overlap.truth)].ignored ||
+        overlap.points <= most[p])
+      continue;
     most[p] = overlap.points;
     claims[p].thing = overlap.truth;
   }
@@ -59,7 +65,8 @@ void lay_claims(const Segments& segments, const Protocol& protocol, std::vector<
   }
 }
 
-void match(const Segments& segments, const Protocol& protocol, std::vector<ThingResult>& things, std::vector<ClaimResult>& claims) {
+void match(const Segments& segments, const Protocol& protocol, std::vector<ThingResult>& things,
+           std::vector<ClaimResult>& claims) {
   // The claim with the most points on the thing finds it; on a tie the surer one, then the first.
   std::vector<std::int64_t> best(things.size(), 0);
   for (const auto& overlap : segments.overlaps) {
@@ -67,14 +74,19 @@ void match(const Segments& segments, const Protocol& protocol, std::vector<Thing
     const auto p = static_cast<std::size_t>(overlap.predicted);
     ThingResult& thing = things[t];
     ClaimResult& claim = claims[p];
-    if (claim.status == ClaimStatus::ignored || claim.thing != overlap.truth || claim.class_id != thing.class_id) continue;
+    if (claim.status == ClaimStatus::ignored || claim.thing != overlap.truth ||
+        claim.class_id != thing.class_id)
+      continue;
     if (thing.status == ThingStatus::not_described) {
       claim.status = ClaimStatus::ignored;
       continue;
     }
     claim.status = ClaimStatus::repeated;
-    if (thing.status == ThingStatus::ignored || ratio(overlap.points, thing.points) < protocol.object_coverage) continue;
-    const bool surer = overlap.points == best[t] && claim.confidence > claims[static_cast<std::size_t>(thing.claim)].confidence;
+    if (thing.status == ThingStatus::ignored ||
+        ratio(overlap.points, thing.points) < protocol.object_coverage)
+      continue;
+    const bool surer = overlap.points == best[t] &&
+                       claim.confidence > claims[static_cast<std::size_t>(thing.claim)].confidence;
     if (overlap.points < best[t] || (overlap.points == best[t] && !surer)) continue;
     best[t] = overlap.points;
     thing.claim = overlap.predicted;
@@ -132,18 +144,20 @@ double ObjectScore::mean_f1() const {
   return count > 0 ? sum / count : 0.0;
 }
 
-ObjectSummary summarize_objects(const ScanTruth& truth, const PointPrediction& prediction, const Protocol& protocol,
-                                const std::vector<ClassId>& described) {
+ObjectSummary summarize_objects(const ScanTruth& truth, const PointPrediction& prediction,
+                                const Protocol& protocol, const std::vector<ClassId>& described) {
   const ClassRules rules = class_rules(protocol);
   Protocol own = protocol;
   own.merge_stuff = true;
   own.small = "ignore";
-  const Segments segments = make_segments({truth.class_id, truth.instance}, {prediction.class_id, prediction.instance},
-                                          prediction.confidence, truth.ignored_instances, rules, own);
+  const Segments segments =
+      make_segments({truth.class_id, truth.instance}, {prediction.class_id, prediction.instance},
+                    prediction.confidence, truth.ignored_instances, rules, own);
   ObjectSummary summary;
   summary.things = list_things(segments, truth, rules, described);
   for (const auto& segment : segments.predicted) {
-    summary.claims.push_back({segment.instance, segment.class_id, segment.points, segment.confidence});
+    summary.claims.push_back(
+        {segment.instance, segment.class_id, segment.points, segment.confidence});
   }
   lay_claims(segments, protocol, summary.claims);
   match(segments, protocol, summary.things, summary.claims);
@@ -161,12 +175,15 @@ ObjectSummary summarize_objects(const ScanTruth& truth, const PointPrediction& p
     if (claim.status == ClaimStatus::wrong) ++counts.wrong;
     if (claim.status == ClaimStatus::repeated) ++counts.repeated;
   }
-  const auto stuff_first = [&](std::int32_t id) { return rules.thing[static_cast<std::size_t>(id)] != 0; };
+  const auto stuff_first = [&](std::int32_t id) {
+    return rules.thing[static_cast<std::size_t>(id)] != 0;
+  };
   // The claims refer to things by index: sort an order, then renumber.
   std::vector<std::int32_t> order(summary.things.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::int32_t>(i);
   std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-    return stuff_first(summary.things[static_cast<std::size_t>(a)].class_id) < stuff_first(summary.things[static_cast<std::size_t>(b)].class_id);
+    return stuff_first(summary.things[static_cast<std::size_t>(a)].class_id) <
+           stuff_first(summary.things[static_cast<std::size_t>(b)].class_id);
   });
   std::vector<ThingResult> sorted;
   std::vector<std::int32_t> place(order.size());
@@ -181,37 +198,54 @@ ObjectSummary summarize_objects(const ScanTruth& truth, const PointPrediction& p
   return summary;
 }
 
-ObjectSummary summarize_objects(const Scan& scan, const Scene* scene, const Surfaces& surfaces, const Labelling& labelling,
-                                const Protocol& protocol, const std::vector<ClassId>& described) {
-  return summarize_objects(truth_of(scan, scene, protocol), predict_points(surfaces, labelling), protocol, described);
+ObjectSummary summarize_objects(const Scan& scan, const Scene* scene, const Surfaces& surfaces,
+                                const Labelling& labelling, const Protocol& protocol,
+                                const std::vector<ClassId>& described) {
+  return summarize_objects(truth_of(scan, scene, protocol), predict_points(surfaces, labelling),
+                           protocol, described);
 }
 
 std::string objects_to_text(const ObjectSummary& summary, bool with_lists) {
-  std::string text = fmt::format("{:<18} {:>6} {:>6} {:>7} {:>6} {:>10} {:>7}\n", "class", "there", "found", "missed", "wrong", "precision", "recall");
+  std::string text = fmt::format("{:<18} {:>6} {:>6} {:>7} {:>6} {:>10} {:>7}\n", "class", "there",
+                                 "found", "missed", "wrong", "precision", "recall");
   const auto line = [&](const std::string& name, const ObjectCounts& c) {
-    const auto percent = [](std::int64_t whole, double value) { return whole > 0 ? fmt::format("{:.0f} %", 100 * value) : std::string("-"); };
-    text += fmt::format("{:<18} {:>6} {:>6} {:>7} {:>6} {:>10} {:>7}\n", name, c.truths, c.found, c.missed(), c.wrong + c.repeated,
-                        percent(c.claims(), c.precision()), percent(c.truths, c.recall()));
+    const auto percent = [](std::int64_t whole, double value) {
+      return whole > 0 ? fmt::format("{:.0f} %", 100 * value) : std::string("-");
+    };
+    text += fmt::format("{:<18} {:>6} {:>6} {:>7} {:>6} {:>10} {:>7}\n", name, c.truths, c.found,
+                        c.missed(), c.wrong + c.repeated, percent(c.claims(), c.precision()),
+                        percent(c.truths, c.recall()));
   };
   for (std::size_t id = 0; id < summary.score.classes.size(); ++id) {
     const auto& counts = summary.score.classes[id];
-    if (counts.truths + counts.claims() > 0) line(std::string(class_info(static_cast<ClassId>(id)).name), counts);
+    if (counts.truths + counts.claims() > 0)
+      line(std::string(class_info(static_cast<ClassId>(id)).name), counts);
   }
   line("all", summary.score.total());
   if (!with_lists) return text;
   for (const auto& thing : summary.things) {
     if (thing.status != ThingStatus::missed) continue;
-    text += fmt::format("missed: {} ({} points, {:.0f} % of its best face seen{})\n", thing.name, thing.points, 100 * thing.visible_fraction,
-                        thing.called == unlabelled ? "" : fmt::format(", called {}", class_info(thing.called).name));
+    text += fmt::format("missed: {} ({} points, {:.0f} % of its best face seen{})\n", thing.name,
+                        thing.points, 100 * thing.visible_fraction,
+                        thing.called == unlabelled
+                            ? ""
+                            : fmt::format(", called {}", class_info(thing.called).name));
   }
   for (const auto& claim : summary.claims) {
     if (claim.status != ClaimStatus::wrong && claim.status != ClaimStatus::repeated) continue;
-    text += fmt::format("{}: {} ({} points, {:.2f}) {}\n", claim.status == ClaimStatus::wrong ? "wrong" : "repeated",
-                        class_info(claim.class_id).name, claim.points, claim.confidence,
-                        claim.thing < 0 ? "lies on nothing in particular" : "lies on " + summary.things[static_cast<std::size_t>(claim.thing)].name);
+    text += fmt::format(
+        "{}: {} ({} points, {:.2f}) {}\n",
+        claim.status == ClaimStatus::wrong ? "wrong" : "repeated", class_info(claim.class_id).name,
+        claim.points, claim.confidence,
+        claim.thing < 0 ? "lies on nothing in particular"
+                        : "lies on " + summary.things[static_cast<std::size_t>(claim.thing)].name);
   }
-  if (summary.score.ignored > 0) text += fmt::format("{} things could not be seen well enough and do not count\n", summary.score.ignored);
-  if (summary.score.not_described > 0) text += fmt::format("{} things are of classes that are not described and do not count\n", summary.score.not_described);
+  if (summary.score.ignored > 0)
+    text += fmt::format("{} things could not be seen well enough and do not count\n",
+                        summary.score.ignored);
+  if (summary.score.not_described > 0)
+    text += fmt::format("{} things are of classes that are not described and do not count\n",
+                        summary.score.not_described);
   return text;
 }
 

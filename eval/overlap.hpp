@@ -14,8 +14,10 @@ struct Overlap {
   std::int64_t points;
 };
 
-/// All pairs that occur, in rising order of (truth, predicted); labels below 0 are counted like others, under -1.
-/// Both spans must be equally long. O(n log n), no dependence on the order of the points.
-std::vector<Overlap> overlap_table(std::span<const std::int32_t> truth, std::span<const std::int32_t> predicted);
+/// All pairs that occur, in rising order of (truth, predicted); labels below 0 are counted like
+/// others, under -1. Both spans must be equally long. O(n log n), no dependence on the order of the
+/// points.
+std::vector<Overlap> overlap_table(std::span<const std::int32_t> truth,
+                                   std::span<const std::int32_t> predicted);
 
 }  // namespace scanchor

@@ -12,12 +12,14 @@ void PanopticScore::add(const PanopticScore& other) {
   }
 }
 
-PanopticScore score_panoptic(const Segments& segments, const ClassRules& rules, const Protocol& protocol) {
+PanopticScore score_panoptic(const Segments& segments, const ClassRules& rules,
+                             const Protocol& protocol) {
   PanopticScore score;
   score.classes.resize(rules.size());
   std::vector<char> truth_matched(segments.truth.size(), 0);
   std::vector<char> predicted_matched(segments.predicted.size(), 0);
-  // Above one half the match is unique on both sides (Kirillov et al., theorem 1), so order does not matter.
+  // Above one half the match is unique on both sides (Kirillov et al., theorem 1), so order does
+  // not matter.
   for (const auto& overlap : segments.overlaps) {
     const auto& truth = segments.truth[static_cast<std::size_t>(overlap.truth)];
     const auto& claim = segments.predicted[static_cast<std::size_t>(overlap.predicted)];
@@ -33,7 +35,8 @@ PanopticScore score_panoptic(const Segments& segments, const ClassRules& rules, 
   const bool unpunished = protocol.small == "unpunished";
   for (std::size_t i = 0; i < segments.truth.size(); ++i) {
     const auto& truth = segments.truth[i];
-    if (truth_matched[i] || truth.ignored || (unpunished && truth.points < protocol.min_points)) continue;
+    if (truth_matched[i] || truth.ignored || (unpunished && truth.points < protocol.min_points))
+      continue;
     ++score.classes[static_cast<std::size_t>(truth.class_id)].missed;
   }
   for (std::size_t i = 0; i < segments.predicted.size(); ++i) {
@@ -48,7 +51,8 @@ PanopticScore score_panoptic(const Segments& segments, const ClassRules& rules, 
 
 PanopticQuality panoptic_quality(const PanopticCounts& counts) {
   PanopticQuality quality;
-  const double denominator = static_cast<double>(counts.matched) + 0.5 * static_cast<double>(counts.extra) +
+  const double denominator = static_cast<double>(counts.matched) +
+                             0.5 * static_cast<double>(counts.extra) +
                              0.5 * static_cast<double>(counts.missed);
   if (denominator <= 0) return quality;
   quality.classes = 1;
@@ -58,13 +62,15 @@ PanopticQuality panoptic_quality(const PanopticCounts& counts) {
   return quality;
 }
 
-PanopticQuality panoptic_quality(const PanopticScore& score, ClassKind kind, const ClassRules& rules, const Protocol& protocol) {
+PanopticQuality panoptic_quality(const PanopticScore& score, ClassKind kind,
+                                 const ClassRules& rules, const Protocol& protocol) {
   PanopticQuality mean;
   for (std::size_t c = 0; c < rules.size(); ++c) {
     if (!rules.scored[c]) continue;
     if (kind == ClassKind::things && !rules.thing[c]) continue;
     if (kind == ClassKind::stuff && rules.thing[c]) continue;
-    const PanopticQuality one = c < score.classes.size() ? panoptic_quality(score.classes[c]) : PanopticQuality{};
+    const PanopticQuality one =
+        c < score.classes.size() ? panoptic_quality(score.classes[c]) : PanopticQuality{};
     if (one.classes == 0 && protocol.absent_class == "skip") continue;
     mean.pq += one.pq;
     mean.sq += one.sq;

@@ -16,7 +16,8 @@ void PointScore::add(const PointScore& other) {
   without_truth += other.without_truth;
 }
 
-PointScore score_points(std::span<const std::int32_t> truth_class, std::span<const std::int32_t> predicted_class, const ClassRules& rules) {
+PointScore score_points(std::span<const std::int32_t> truth_class,
+                        std::span<const std::int32_t> predicted_class, const ClassRules& rules) {
   assert(truth_class.size() == predicted_class.size());
   PointScore score;
   score.classes = rules.size();
@@ -28,7 +29,8 @@ PointScore score_points(std::span<const std::int32_t> truth_class, std::span<con
       continue;
     }
     const std::int32_t predicted = std::max(rules.of(predicted_class[i]), 0);
-    ++score.confusion[static_cast<std::size_t>(truth) * score.classes + static_cast<std::size_t>(predicted)];
+    ++score.confusion[static_cast<std::size_t>(truth) * score.classes +
+                      static_cast<std::size_t>(predicted)];
   }
   return score;
 }

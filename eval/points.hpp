@@ -12,16 +12,19 @@ namespace scanchor {
 /// Counts of points by (truth class, predicted class), added up over scans.
 struct PointScore {
   std::size_t classes = 0;
-  /// classes x classes, row = truth, column = predicted. Column 0 takes what was left unlabelled or is not scored; rows without
-  /// truth stay empty, because such points count on neither side.
+  /// classes x classes, row = truth, column = predicted. Column 0 takes what was left unlabelled or
+  /// is not scored; rows without truth stay empty, because such points count on neither side.
   std::vector<std::int64_t> confusion;
-  std::int64_t without_truth = 0;    ///< points that were left out
-  [[nodiscard]] std::int64_t at(std::size_t truth, std::size_t predicted) const { return confusion[truth * classes + predicted]; }
+  std::int64_t without_truth = 0;  ///< points that were left out
+  [[nodiscard]] std::int64_t at(std::size_t truth, std::size_t predicted) const {
+    return confusion[truth * classes + predicted];
+  }
   void add(const PointScore& other);
   friend bool operator==(const PointScore&, const PointScore&) = default;
 };
 
-PointScore score_points(std::span<const std::int32_t> truth_class, std::span<const std::int32_t> predicted_class, const ClassRules& rules);
+PointScore score_points(std::span<const std::int32_t> truth_class,
+                        std::span<const std::int32_t> predicted_class, const ClassRules& rules);
 
 /// Of one class: TP, FP and FN in points.
 struct ClassPoints {

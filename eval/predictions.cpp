@@ -21,25 +21,31 @@ namespace fs = std::filesystem;
 
 void check_rows(const fs::path& path, std::size_t rows, std::size_t points) {
   if (rows == points) return;
-  fail_data(path.string(), "",
-            "has " + std::to_string(rows) + " rows, the scan has " + std::to_string(points) + " points",
-            rows < points ? "every point needs a row, 0 where nothing is said" : "is it the prediction of another scan?");
+  fail_data(
+      path.string(), "",
+      "has " + std::to_string(rows) + " rows, the scan has " + std::to_string(points) + " points",
+      rows < points ? "every point needs a row, 0 where nothing is said"
+                    : "is it the prediction of another scan?");
 }
 
 // Labels through the map, then held against the class list.
-void map_labels(const fs::path& path, const PredictionOptions& options, std::vector<std::int32_t>& labels) {
-  const std::map<std::int32_t, std::int32_t> map(options.label_map.begin(), options.label_map.end());
+void map_labels(const fs::path& path, const PredictionOptions& options,
+                std::vector<std::int32_t>& labels) {
+  const std::map<std::int32_t, std::int32_t> map(options.label_map.begin(),
+                                                 options.label_map.end());
   const auto classes = static_cast<std::int32_t>(class_list().size());
   for (std::size_t i = 0; i < labels.size(); ++i) {
     std::int32_t& label = labels[i];
     if (!map.empty()) {
       const auto found = map.find(label);
       if (found == map.end() && label > 0) {
-        fail_data(path.string(), "point " + std::to_string(i), "label " + std::to_string(label) + " is not in the label map");
+        fail_data(path.string(), "point " + std::to_string(i),
+                  "label " + std::to_string(label) + " is not in the label map");
       }
       label = found == map.end() ? unlabelled : found->second;
     } else if (label >= classes) {
-      fail_data(path.string(), "point " + std::to_string(i), "label " + std::to_string(label) + " is not in the class list",
+      fail_data(path.string(), "point " + std::to_string(i),
+                "label " + std::to_string(label) + " is not in the class list",
                 "give the label map of the predictions with --label-map");
     }
     label = std::max(label, unlabelled);
@@ -49,13 +55,15 @@ void map_labels(const fs::path& path, const PredictionOptions& options, std::vec
 PointPrediction read_label_file(const fs::path& path, std::size_t points) {
   const std::string bytes = read_file(path);
   if (bytes.size() % 4 != 0) {
-    fail_data(path.string(), "byte " + std::to_string(bytes.size()), "ends within a row: a .label file has 4 bytes a point");
+    fail_data(path.string(), "byte " + std::to_string(bytes.size()),
+              "ends within a row: a .label file has 4 bytes a point");
   }
   check_rows(path, bytes.size() / 4, points);
   PointPrediction prediction;
   for (std::size_t i = 0; i < points; ++i) {
     std::uint32_t word = 0;
-    for (std::size_t b = 0; b < 4; ++b) word |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[4 * i + b])) << (8 * b);
+    for (std::size_t b = 0; b < 4; ++b)
+      word |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[4 * i + b])) << (8 * b);
     prediction.class_id.push_back(static_cast<std::int32_t>(word & 0xffffU));
     const auto instance = static_cast<std::int32_t>(word >> 16U);
     prediction.instance.push_back(instance == 0 ? -1 : instance);
@@ -73,26 +81,33 @@ std::vector<std::int32_t> whole_numbers(const fs::path& path, const Field& field
         values[i] = -1;
         continue;
       }
-      fail_data(path.string(), "point " + std::to_string(i), "field '" + field.name + "' must hold whole numbers, is " + std::to_string(value));
+      fail_data(path.string(), "point " + std::to_string(i),
+                "field '" + field.name + "' must hold whole numbers, is " + std::to_string(value));
     }
     values[i] = static_cast<std::int32_t>(value);
   }
   return values;
 }
 
-PointPrediction read_cloud_fields(const fs::path& path, std::size_t points, const PredictionOptions& options) {
+PointPrediction read_cloud_fields(const fs::path& path, std::size_t points,
+                                  const PredictionOptions& options) {
   const PointCloud cloud = read_cloud(path);
   check_rows(path, cloud.size(), points);
   std::vector<std::string> names;
   for (const auto& field : cloud.fields) names.push_back(field.name);
   const Field* label = cloud.find(options.label_field);
-  if (!label) fail_data(path.string(), "header", "has no field '" + options.label_field + "'", suggestion(options.label_field, names));
+  if (!label)
+    fail_data(path.string(), "header", "has no field '" + options.label_field + "'",
+              suggestion(options.label_field, names));
   PointPrediction prediction;
   prediction.class_id = whole_numbers(path, *label);
-  if (const Field* instance = cloud.find(options.instance_field)) prediction.instance = whole_numbers(path, *instance);
-  if (const Field* plane = cloud.find(options.plane_field)) prediction.plane = whole_numbers(path, *plane);
+  if (const Field* instance = cloud.find(options.instance_field))
+    prediction.instance = whole_numbers(path, *instance);
+  if (const Field* plane = cloud.find(options.plane_field))
+    prediction.plane = whole_numbers(path, *plane);
   if (const Field* confidence = cloud.find(options.confidence_field)) {
-    for (std::size_t i = 0; i < confidence->size(); ++i) prediction.confidence.push_back(static_cast<float>(confidence->at(i)));
+    for (std::size_t i = 0; i < confidence->size(); ++i)
+      prediction.confidence.push_back(static_cast<float>(confidence->at(i)));
   }
   return prediction;
 }
@@ -102,7 +117,8 @@ std::vector<std::int32_t> column_of(const JsonReader& reader, const std::string&
   if (!reader.has(key)) return values;
   const auto list = reader.at(key);
   const std::size_t count = list.size();
-  for (std::size_t i = 0; i < count; ++i) values.push_back(static_cast<std::int32_t>(list.at(i).integer()));
+  for (std::size_t i = 0; i < count; ++i)
+    values.push_back(static_cast<std::int32_t>(list.at(i).integer()));
   return values;
 }
 
@@ -113,22 +129,28 @@ void read_objects(const JsonReader& objects, PointPrediction& prediction) {
   for (const auto& info : class_list()) names.emplace_back(info.name);
   for (std::size_t k = 0; k < objects.size(); ++k) {
     const auto object = objects.at(k);
-    const std::int64_t id = object.has("id") ? object.at("id").integer() : static_cast<std::int64_t>(k);
+    const std::int64_t id =
+        object.has("id") ? object.at("id").integer() : static_cast<std::int64_t>(k);
     if (!ids.insert(id).second) object.at("id").fail("is the id of two objects");
     const std::string word = object.at("class").text();
     const auto class_id = class_of_label(word);
-    if (!class_id && word != "unknown" && word != "ambiguous") object.at("class").fail("'" + word + "' is no class", suggestion(word, names));
-    const double probability = object.has("probability") ? object.at("probability").number_in(0.0, 1.0) : 1.0;
+    if (!class_id && word != "unknown" && word != "ambiguous")
+      object.at("class").fail("'" + word + "' is no class", suggestion(word, names));
+    const double probability =
+        object.has("probability") ? object.at("probability").number_in(0.0, 1.0) : 1.0;
     const auto rows = object.at("points");
-    if (!rows.raw().is_array()) rows.fail("must be a list of point indices", "a number of points cannot be scored");
+    if (!rows.raw().is_array())
+      rows.fail("must be a list of point indices", "a number of points cannot be scored");
     const std::size_t count = rows.size();
     for (std::size_t i = 0; i < count; ++i) {
       const std::int64_t row = rows.at(i).integer();
       if (row < 0 || row >= static_cast<std::int64_t>(points)) {
-        rows.at(i).fail("names point " + std::to_string(row) + ", the scan has " + std::to_string(points));
+        rows.at(i).fail("names point " + std::to_string(row) + ", the scan has " +
+                        std::to_string(points));
       }
       const auto p = static_cast<std::size_t>(row);
-      if (prediction.instance[p] >= 0) rows.at(i).fail("point " + std::to_string(row) + " belongs to two objects");
+      if (prediction.instance[p] >= 0)
+        rows.at(i).fail("point " + std::to_string(row) + " belongs to two objects");
       prediction.class_id[p] = class_id.value_or(unlabelled);
       prediction.instance[p] = static_cast<std::int32_t>(id);
       prediction.confidence[p] = static_cast<float>(probability);
@@ -154,7 +176,8 @@ PointPrediction read_json_prediction(const fs::path& path, std::size_t points) {
   if (reader.has("confidence")) {
     const auto list = reader.at("confidence");
     const std::size_t count = list.size();
-    for (std::size_t i = 0; i < count; ++i) prediction.confidence.push_back(static_cast<float>(list.at(i).number()));
+    for (std::size_t i = 0; i < count; ++i)
+      prediction.confidence.push_back(static_cast<float>(list.at(i).number()));
   }
   check_rows(path, prediction.class_id.size(), points);
   return prediction;
@@ -186,32 +209,43 @@ std::vector<std::pair<std::int32_t, std::int32_t>> read_label_map(const fs::path
     fail_data(path.string(), "line " + std::to_string(error.mark.line + 1), error.msg);
   }
   if (root.IsMap() && root["labels"]) root.reset(root["labels"]);
-  if (!root.IsMap()) fail_data(path.string(), "", "is no label map", "write '52: desk', one line a label");
+  if (!root.IsMap())
+    fail_data(path.string(), "", "is no label map", "write '52: desk', one line a label");
   std::vector<std::string> names;
   for (const auto& info : class_list()) names.emplace_back(info.name);
   std::map<std::int32_t, std::int32_t> map;
   for (const auto& entry : root) {
     const std::string place = "line " + std::to_string(entry.first.Mark().line + 1);
     std::int32_t number = 0;
-    if (!entry.first.IsScalar() || !YAML::convert<std::int32_t>::decode(entry.first, number) || number < 0) {
+    if (!entry.first.IsScalar() || !YAML::convert<std::int32_t>::decode(entry.first, number) ||
+        number < 0) {
       fail_data(path.string(), place, "a label must be a whole number of at least 0");
     }
     const std::string word = entry.second.IsScalar() ? entry.second.Scalar() : "";
-    const auto id = word == "unlabelled" || word == "unlabeled" ? std::optional<ClassId>(unlabelled) : class_of_label(word);
+    const auto id = word == "unlabelled" || word == "unlabeled" ? std::optional<ClassId>(unlabelled)
+                                                                : class_of_label(word);
     if (!id) fail_data(path.string(), place, "'" + word + "' is no class", suggestion(word, names));
-    if (!map.emplace(number, *id).second) fail_data(path.string(), place, "label " + std::to_string(number) + " is there twice");
+    if (!map.emplace(number, *id).second)
+      fail_data(path.string(), place, "label " + std::to_string(number) + " is there twice");
   }
   return {map.begin(), map.end()};
 }
 
-PointPrediction read_prediction(const fs::path& path, std::size_t points, const PredictionOptions& options) {
+PointPrediction read_prediction(const fs::path& path, std::size_t points,
+                                const PredictionOptions& options) {
   const auto ending = path.extension();
   PointPrediction prediction;
-  if (ending == ".label") prediction = read_label_file(path, points);
-  else if (ending == ".json") prediction = read_json_prediction(path, points);
-  else if (ending == ".ply" || ending == ".pcd") prediction = read_cloud_fields(path, points, options);
-  else fail_data(path.string(), "", "is no prediction", "predictions end in .label, .ply, .pcd or .json");
-  if (ending != ".json" || !options.label_map.empty()) map_labels(path, options, prediction.class_id);
+  if (ending == ".label")
+    prediction = read_label_file(path, points);
+  else if (ending == ".json")
+    prediction = read_json_prediction(path, points);
+  else if (ending == ".ply" || ending == ".pcd")
+    prediction = read_cloud_fields(path, points, options);
+  else
+    fail_data(path.string(), "", "is no prediction",
+              "predictions end in .label, .ply, .pcd or .json");
+  if (ending != ".json" || !options.label_map.empty())
+    map_labels(path, options, prediction.class_id);
   for (const auto* column : {&prediction.instance, &prediction.plane}) {
     if (!column->empty()) check_rows(path, column->size(), points);
   }
@@ -219,12 +253,14 @@ PointPrediction read_prediction(const fs::path& path, std::size_t points, const 
   for (std::size_t i = 0; i < prediction.confidence.size(); ++i) {
     const float value = prediction.confidence[i];
     if (std::isfinite(value) && value >= 0.0F && value <= 1.0F) continue;
-    fail_data(path.string(), "point " + std::to_string(i), "confidence must lie in 0 .. 1, is " + std::to_string(value));
+    fail_data(path.string(), "point " + std::to_string(i),
+              "confidence must lie in 0 .. 1, is " + std::to_string(value));
   }
   return prediction;
 }
 
-PredictionFolder find_predictions(const fs::path& folder, const Dataset& dataset, const std::string& split) {
+PredictionFolder find_predictions(const fs::path& folder, const Dataset& dataset,
+                                  const std::string& split) {
   if (!fs::is_directory(folder)) fail_data(folder.string(), "", "is no folder with predictions");
   PredictionFolder found;
   std::vector<std::string> strangers;
@@ -233,7 +269,8 @@ PredictionFolder find_predictions(const fs::path& folder, const Dataset& dataset
     const auto& sequence = dataset.sequences[s];
     truth_there = truth_there || fs::is_directory(folder / "sequences" / sequence.name / "labels");
     std::map<std::string, fs::path> of_scan;
-    std::vector<fs::path> places = {folder / "sequences" / sequence.name / "predictions", folder / sequence.name};
+    std::vector<fs::path> places = {folder / "sequences" / sequence.name / "predictions",
+                                    folder / sequence.name};
     if (dataset.sequences.size() == 1) places.push_back(folder);
     for (const auto& place : places) {
       for (const auto& path : files_in(place)) {
@@ -241,28 +278,36 @@ PredictionFolder find_predictions(const fs::path& folder, const Dataset& dataset
         if (std::find(sequence.scans.begin(), sequence.scans.end(), scan) == sequence.scans.end()) {
           strangers.push_back(path.string());
         } else if (!of_scan.emplace(scan, path).second) {
-          fail_data(path.string(), "", "is a second prediction for scan " + sequence.name + "/" + scan, "the other is " + of_scan[scan].string());
+          fail_data(path.string(), "",
+                    "is a second prediction for scan " + sequence.name + "/" + scan,
+                    "the other is " + of_scan[scan].string());
         }
       }
     }
     if (!split.empty() && sequence.split != split) continue;
     for (std::size_t k = 0; k < sequence.scans.size(); ++k) {
       const auto at = of_scan.find(sequence.scans[k]);
-      if (at == of_scan.end()) found.missing.push_back(sequence.name + "/" + sequence.scans[k]);
-      else found.files.push_back({sequence.name, sequence.scans[k], s, k, at->second});
+      if (at == of_scan.end())
+        found.missing.push_back(sequence.name + "/" + sequence.scans[k]);
+      else
+        found.files.push_back({sequence.name, sequence.scans[k], s, k, at->second});
     }
   }
   if (found.files.empty() && truth_there) {
-    fail_data(folder.string(), "", "holds a data set, not predictions", "were --truth and --predictions swapped?");
+    fail_data(folder.string(), "", "holds a data set, not predictions",
+              "were --truth and --predictions swapped?");
   }
   if (!strangers.empty()) {
-    fail_data(strangers.front(), "", "is for a scan that the data set does not have" +
-                                         (strangers.size() > 1 ? " (and " + std::to_string(strangers.size() - 1) + " more)" : std::string()),
+    fail_data(strangers.front(), "",
+              "is for a scan that the data set does not have" +
+                  (strangers.size() > 1 ? " (and " + std::to_string(strangers.size() - 1) + " more)"
+                                        : std::string()),
               "is it another data set?");
   }
   if (found.files.empty()) {
-    throw Error(ExitCode::nothing_measured, folder.string() + ": no prediction for any scan of the data set; expected " +
-                                                "sequences/NN/predictions/NNNNNN.label");
+    throw Error(ExitCode::nothing_measured,
+                folder.string() + ": no prediction for any scan of the data set; expected " +
+                    "sequences/NN/predictions/NNNNNN.label");
   }
   return found;
 }
@@ -275,7 +320,9 @@ void write_prediction_label(const fs::path& path, const PointPrediction& predict
     if (i < prediction.instance.size() && prediction.instance[i] >= 0) {
       const auto next = static_cast<std::uint32_t>(numbers.size() + 1);
       const std::uint32_t number = numbers.emplace(prediction.instance[i], next).first->second;
-      if (number > 0xffffU) fail_data(path.string(), "", "more than 65535 instances do not fit into a .label file", "write PLY instead");
+      if (number > 0xffffU)
+        fail_data(path.string(), "", "more than 65535 instances do not fit into a .label file",
+                  "write PLY instead");
       word |= number << 16U;
     }
     for (unsigned b = 0; b < 4; ++b) bytes += static_cast<char>(word >> (8 * b) & 0xffU);

@@ -34,8 +34,9 @@ std::vector<double> thresholds_of(const YAML::Node& node, const std::string& fil
   for (const auto& item : node) {
     const double value = number_of(item, file, key);
     if (!(value > low && value <= 1.0) || (!values.empty() && value <= values.back())) {
-      fail_data(file, place(item),
-                fmt::format("{}: must rise and lie above {} and at most at 1, is {}", key, low, value));
+      fail_data(
+          file, place(item),
+          fmt::format("{}: must rise and lie above {} and at most at 1, is {}", key, low, value));
     }
     values.push_back(value);
   }
@@ -50,7 +51,8 @@ std::string class_of(const YAML::Node& node, const std::string& file, const std:
   if (!find_class(word)) {
     std::vector<std::string> names;
     for (const auto& info : class_list()) names.emplace_back(info.name);
-    fail_data(file, place(node), fmt::format("{}: '{}' is no class", key, word), suggestion(word, names));
+    fail_data(file, place(node), fmt::format("{}: '{}' is no class", key, word),
+              suggestion(word, names));
   }
   return word;
 }
@@ -62,7 +64,8 @@ void read_flags(const YAML::Node& node, const std::string& file, Protocol& proto
     const std::string word = item.IsScalar() ? item.Scalar() : "";
     const std::vector<std::string> known(std::begin(flag_words), std::end(flag_words));
     if (std::find(known.begin(), known.end(), word) == known.end()) {
-      fail_data(file, place(item), fmt::format("ignore_flags: '{}' is no flag", word), suggestion(word, known));
+      fail_data(file, place(item), fmt::format("ignore_flags: '{}' is no flag", word),
+                suggestion(word, known));
     }
     protocol.ignore_flags.push_back(word);
   }
@@ -103,8 +106,10 @@ std::string list_text(const Range& values) {
 void Protocol::describe(OptionList& list) {
   list.add("version", version, "", "raised when a rule changes", 1, 1000000);
   list.add("absent_class", absent_class, "class in neither truth nor prediction", {"skip", "zero"});
-  list.add("min_points", min_points, "points", "a thing with fewer points of truth is small", 0, 1e9);
-  list.add("min_visible", min_visible, "1", "a thing less of whose faces was seen is ignored", 0, 1);
+  list.add("min_points", min_points, "points", "a thing with fewer points of truth is small", 0,
+           1e9);
+  list.add("min_visible", min_visible, "1", "a thing less of whose faces was seen is ignored", 0,
+           1);
   list.add("small", small, "what becomes of small things", {"ignore", "unpunished"});
   list.add("match_iou", match_iou, "1", "a match has a larger intersection over union", 0.5, 1);
   list.add("void_points", void_points, "predicted points without truth", {"subtract", "remove"});
@@ -113,14 +118,18 @@ void Protocol::describe(OptionList& list) {
   list.add("average_precision", average_precision, "matching and area", {"coco", "scannet"});
   list.add("plane_min_points", plane_min_points, "points", "smaller planes are ignored", 0, 1e9);
   list.add("plane_min_visible", plane_min_visible, "1", "planes seen less are ignored", 0, 1);
-  list.add("plane_merge_angle_deg", plane_merge_angle_deg, "deg", "faces nearer than that in angle,", 0, 10);
+  list.add("plane_merge_angle_deg", plane_merge_angle_deg, "deg",
+           "faces nearer than that in angle,", 0, 10);
   list.add("plane_merge_offset", plane_merge_offset, "m", "in step, and", 0, 1);
   list.add("plane_merge_gap", plane_merge_gap, "m", "in gap are one plane", 0, 10);
-  list.add("small_plane_share", small_plane_share, "1", "share of the scan below which a plane is small", 0, 1);
+  list.add("small_plane_share", small_plane_share, "1",
+           "share of the scan below which a plane is small", 0, 1);
   list.add("geometry_tolerance", geometry_tolerance, "1", "Hoover's T for geometry", 0.5, 1);
   list.add("full_view", full_view, "1", "visible fraction from which sizes are compared", 0, 1);
-  list.add("object_purity", object_purity, "1", "share of a claim that lies on the thing, more than", 0.5, 1);
-  list.add("object_coverage", object_coverage, "1", "share of the thing in the claim, at least", 0, 1);
+  list.add("object_purity", object_purity, "1",
+           "share of a claim that lies on the thing, more than", 0.5, 1);
+  list.add("object_coverage", object_coverage, "1", "share of the thing in the claim, at least", 0,
+           1);
   list.add("calibration_bins", calibration_bins, "", "of the expected calibration error", 1, 1000);
 }
 
@@ -131,9 +140,11 @@ const std::vector<std::string>& builtin_protocols() {
 
 Protocol find_protocol(const std::string& name_or_path) {
   const auto& names = builtin_protocols();
-  if (std::find(names.begin(), names.end(), name_or_path) != names.end()) return builtin(name_or_path);
+  if (std::find(names.begin(), names.end(), name_or_path) != names.end())
+    return builtin(name_or_path);
   const auto ending = std::filesystem::path(name_or_path).extension();
-  if (ending == ".yaml" || ending == ".yml" || ending == ".json") return read_protocol(name_or_path);
+  if (ending == ".yaml" || ending == ".yml" || ending == ".json")
+    return read_protocol(name_or_path);
   fail_usage(fmt::format("unknown protocol '{}'", name_or_path),
              suggestion(name_or_path, names) + ", or a file that ends in .yaml");
 }
@@ -149,28 +160,33 @@ Protocol protocol_from_text(const std::string& text, const std::string& file) {
   } catch (const YAML::Exception& error) {
     fail_data(file, fmt::format("line {}", error.mark.line + 1), error.msg);
   }
-  if (!root.IsMap()) fail_data(file, "", "is no protocol", "write 'name: ...' and the rules below it");
+  if (!root.IsMap())
+    fail_data(file, "", "is no protocol", "write 'name: ...' and the rules below it");
   Protocol protocol;
   if (const YAML::Node base = root["base"]) {
     const auto& names = builtin_protocols();
     const std::string word = base.IsScalar() ? base.Scalar() : "";
     if (std::find(names.begin(), names.end(), word) == names.end()) {
-      fail_data(file, place(base), fmt::format("base: '{}' is no built-in protocol", word), suggestion(word, names));
+      fail_data(file, place(base), fmt::format("base: '{}' is no built-in protocol", word),
+                suggestion(word, names));
     }
     protocol = builtin(word);
   }
   if (!root["name"] || !root["name"].IsScalar() || root["name"].Scalar().empty()) {
-    fail_data(file, "", "'name' is missing", "a protocol needs a name that results are stamped with");
+    fail_data(file, "", "'name' is missing",
+              "a protocol needs a name that results are stamped with");
   }
   OptionList list;
   protocol.describe(list);
-  std::vector<std::string> known = {"base",  "name", "classes", "merge", "ignore_flags", "ap_thresholds", "plane_tolerances"};
+  std::vector<std::string> known = {"base",         "name",          "classes",         "merge",
+                                    "ignore_flags", "ap_thresholds", "plane_tolerances"};
   for (const auto& option : list.options()) known.push_back(option.name);
   for (const auto& entry : root) {
     const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
     const YAML::Node& value = entry.second;
     if (std::find(known.begin(), known.end(), key) == known.end()) {
-      fail_data(file, place(entry.first), fmt::format("unknown key '{}'", key), suggestion(key, known));
+      fail_data(file, place(entry.first), fmt::format("unknown key '{}'", key),
+                suggestion(key, known));
     }
     if (key == "base") continue;
     if (key == "name") {
@@ -180,10 +196,12 @@ Protocol protocol_from_text(const std::string& text, const std::string& file) {
       protocol.classes.clear();
       for (const auto& item : value) protocol.classes.push_back(class_of(item, file, key));
     } else if (key == "merge") {
-      if (!value.IsMap()) fail_data(file, place(value), "merge: must be 'class: class it counts as'");
+      if (!value.IsMap())
+        fail_data(file, place(value), "merge: must be 'class: class it counts as'");
       protocol.merge.clear();
       for (const auto& pair : value) {
-        protocol.merge.emplace_back(class_of(pair.first, file, key), class_of(pair.second, file, key));
+        protocol.merge.emplace_back(class_of(pair.first, file, key),
+                                    class_of(pair.second, file, key));
       }
     } else if (key == "ignore_flags") {
       read_flags(value, file, protocol);
@@ -192,7 +210,8 @@ Protocol protocol_from_text(const std::string& text, const std::string& file) {
     } else if (key == "plane_tolerances") {
       protocol.plane_tolerances = thresholds_of(value, file, key, 0.5);
     } else {
-      if (!value.IsScalar()) fail_data(file, place(value), fmt::format("{}: must be one value", key));
+      if (!value.IsScalar())
+        fail_data(file, place(value), fmt::format("{}: must be one value", key));
       try {
         list.set(key, value.Scalar());
       } catch (const Error& error) {
@@ -211,15 +230,18 @@ std::string protocol_to_text(const Protocol& protocol) {
   text += fmt::format("classes: {}  # empty: all\n", list_text(protocol.classes));
   text += "merge: {";
   for (std::size_t i = 0; i < protocol.merge.size(); ++i) {
-    text += fmt::format("{}{}: {}", i ? ", " : "", protocol.merge[i].first, protocol.merge[i].second);
+    text +=
+        fmt::format("{}{}: {}", i ? ", " : "", protocol.merge[i].first, protocol.merge[i].second);
   }
   text += "}\n";
-  text += fmt::format("ignore_flags: {}  # points with such a flag have no truth\n", list_text(protocol.ignore_flags));
+  text += fmt::format("ignore_flags: {}  # points with such a flag have no truth\n",
+                      list_text(protocol.ignore_flags));
   text += fmt::format("ap_thresholds: {}\n", list_text(protocol.ap_thresholds));
   text += fmt::format("plane_tolerances: {}\n", list_text(protocol.plane_tolerances));
   for (const auto& option : list.options()) {
     text += fmt::format("{}: {}  # {}{}\n", option.name, list.get(option.name),
-                        option.unit.empty() || option.unit == "1" ? "" : "[" + option.unit + "] ", option.text);
+                        option.unit.empty() || option.unit == "1" ? "" : "[" + option.unit + "] ",
+                        option.text);
   }
   return text;
 }
@@ -248,13 +270,16 @@ ClassRules class_rules(const Protocol& protocol) {
     rules.names.emplace_back(info.name);
     rules.thing.push_back(info.thing ? 1 : 0);
     rules.counted_as.push_back(info.id);
-    const bool named = std::find(protocol.classes.begin(), protocol.classes.end(), info.name) != protocol.classes.end();
+    const bool named = std::find(protocol.classes.begin(), protocol.classes.end(), info.name) !=
+                       protocol.classes.end();
     rules.scored.push_back(info.id != unlabelled && (protocol.classes.empty() || named) ? 1 : 0);
   }
   for (const auto& [from, into] : protocol.merge) {
     const auto source = find_class(from);
     const auto target = find_class(into);
-    if (!source || !target) fail_data("protocol " + protocol.name, "merge", fmt::format("'{}: {}' names no class", from, into));
+    if (!source || !target)
+      fail_data("protocol " + protocol.name, "merge",
+                fmt::format("'{}: {}' names no class", from, into));
     rules.counted_as[static_cast<std::size_t>(*source)] = *target;
     rules.scored[static_cast<std::size_t>(*source)] = 0;
   }

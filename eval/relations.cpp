@@ -17,7 +17,9 @@ void keep_one_each(std::vector<NamedRelation>& facts) {
   std::stable_sort(facts.begin(), facts.end(), [](const NamedRelation& a, const NamedRelation& b) {
     return key(a) != key(b) ? key(a) < key(b) : a.probability > b.probability;
   });
-  facts.erase(std::unique(facts.begin(), facts.end(), [](const auto& a, const auto& b) { return key(a) == key(b); }), facts.end());
+  facts.erase(std::unique(facts.begin(), facts.end(),
+                          [](const auto& a, const auto& b) { return key(a) == key(b); }),
+              facts.end());
 }
 
 }  // namespace
@@ -38,7 +40,8 @@ void RelationScore::add(const RelationScore& other) {
   for (const auto& [name, counts] : other.borderline) borderline[name].add(counts);
 }
 
-RelationScore score_relations(std::vector<NamedRelation> truth, std::vector<NamedRelation> claims, double threshold) {
+RelationScore score_relations(std::vector<NamedRelation> truth, std::vector<NamedRelation> claims,
+                              double threshold) {
   keep_one_each(truth);
   keep_one_each(claims);
   RelationScore score;

@@ -34,7 +34,8 @@ double peak_memory() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-SceneRow run_scene(const SceneTask& task, int scans, const Method& method, const Protocol& protocol) {
+SceneRow run_scene(const SceneTask& task, int scans, const Method& method,
+                   const Protocol& protocol) {
   SceneRow row;
   row.index = task.index;
   row.name = task.name;
@@ -103,26 +104,32 @@ MadeScene make_scene(const SceneTask& task, int scans, StageTimes* times) {
   made.scene = generate_room(task.room, task.seed);
   spent.generate = watch.lap();
   const SettleReport report = settle(made.scene, task.settle);
-  if (!report.settled) made.problem = report.problems.empty() ? "did not come to rest" : report.problems.front();
+  if (!report.settled)
+    made.problem = report.problems.empty() ? "did not come to rest" : report.problems.front();
   spent.settle = watch.lap();
   if (made.scene.sensor_poses.empty()) {
-    fail_data("scene " + task.name, "", "has no place to scan from", "choose another seed or less clutter");
+    fail_data("scene " + task.name, "", "has no place to scan from",
+              "choose another seed or less clutter");
   }
   const World world(made.scene);
   for (int k = 0; k < scans; ++k) {
-    const auto& pose = made.scene.sensor_poses[static_cast<std::size_t>(k) % made.scene.sensor_poses.size()];
-    made.scans.push_back(scan_room(world, pose, task.lidar, stream_seed(task.seed, "scan", static_cast<std::uint64_t>(k))));
+    const auto& pose =
+        made.scene.sensor_poses[static_cast<std::size_t>(k) % made.scene.sensor_poses.size()];
+    made.scans.push_back(scan_room(world, pose, task.lidar,
+                                   stream_seed(task.seed, "scan", static_cast<std::uint64_t>(k))));
   }
   spent.scan = watch.lap();
   if (times) times->add(spent);
   return made;
 }
 
-Method own_method(const PerceiveOptions& perceive_options, const Ontology& ontology, const ReasonOptions& reason_options) {
+Method own_method(const PerceiveOptions& perceive_options, const Ontology& ontology,
+                  const ReasonOptions& reason_options) {
   Method method;
   method.name = perceive_options.method + "/" + reason_options.mode + "/" + ontology.name;
   std::vector<std::string> words;
-  for (const auto& description : ontology.classes) words.insert(words.end(), description.names.begin(), description.names.end());
+  for (const auto& description : ontology.classes)
+    words.insert(words.end(), description.names.begin(), description.names.end());
   method.described = classes_of_labels(words);
   method.answer = [=](const Scan& scan, const std::string&) {
     Stopwatch watch;
@@ -153,8 +160,9 @@ std::vector<SceneTask> tasks_of(const Suite& suite, const RunOptions& options) {
 RunResult run_suite(const Suite& suite, const Method& method, const RunOptions& options) {
   const auto tasks = tasks_of(suite, options);
   if (tasks.empty()) {
-    throw Error(ExitCode::nothing_measured,
-                "suite " + suite.name + " has no scene in part '" + options.split + "'; choose another part or more scenes");
+    throw Error(ExitCode::nothing_measured, "suite " + suite.name + " has no scene in part '" +
+                                                options.split +
+                                                "'; choose another part or more scenes");
   }
   RunResult result;
   result.suite = suite.name;
@@ -176,8 +184,10 @@ RunResult run_suite(const Suite& suite, const Method& method, const RunOptions& 
     }
   });
   for (auto& row : rows) {
-    if (row) result.rows.push_back(std::move(*row));
-    else result.interrupted = true;
+    if (row)
+      result.rows.push_back(std::move(*row));
+    else
+      result.interrupted = true;
   }
   pool(result);
   result.wall_seconds = watch.lap();
@@ -190,17 +200,22 @@ RunResult merge_runs(std::vector<RunResult> parts) {
   RunResult all = std::move(parts.front());
   for (std::size_t i = 1; i < parts.size(); ++i) {
     const RunResult& part = parts[i];
-    if (part.data != all.data || protocol_hash(part.protocol) != protocol_hash(all.protocol) || part.method != all.method) {
-      fail_data("", "", "runs of different data, protocols or methods do not go together: " + all.data + " and " + part.data);
+    if (part.data != all.data || protocol_hash(part.protocol) != protocol_hash(all.protocol) ||
+        part.method != all.method) {
+      fail_data("", "",
+                "runs of different data, protocols or methods do not go together: " + all.data +
+                    " and " + part.data);
     }
     all.rows.insert(all.rows.end(), part.rows.begin(), part.rows.end());
     all.wall_seconds += part.wall_seconds;
     all.peak_memory_mb = std::max(all.peak_memory_mb, part.peak_memory_mb);
     all.interrupted = all.interrupted || part.interrupted;
   }
-  std::stable_sort(all.rows.begin(), all.rows.end(), [](const SceneRow& a, const SceneRow& b) { return a.index < b.index; });
+  std::stable_sort(all.rows.begin(), all.rows.end(),
+                   [](const SceneRow& a, const SceneRow& b) { return a.index < b.index; });
   for (std::size_t i = 1; i < all.rows.size(); ++i) {
-    if (all.rows[i].index == all.rows[i - 1].index) fail_data("", "scene " + all.rows[i].name, "is in two of the runs");
+    if (all.rows[i].index == all.rows[i - 1].index)
+      fail_data("", "scene " + all.rows[i].name, "is in two of the runs");
   }
   pool(all);
   return all;

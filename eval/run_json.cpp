@@ -33,7 +33,8 @@ StageTimes times_in(const JsonReader& reader) {
 std::string data_stamp(const Suite& suite, const std::string& split) {
   Json json = suite_to_json(suite);
   json.erase("scenes");
-  return suite.name + "/" + (split.empty() ? "all" : split) + " (" + sha256(json.dump()).substr(0, 16) + ")";
+  return suite.name + "/" + (split.empty() ? "all" : split) + " (" +
+         sha256(json.dump()).substr(0, 16) + ")";
 }
 
 Json run_to_json(const RunResult& result, bool with_times) {
@@ -76,14 +77,16 @@ RunResult run_from_json(const Json& json, const std::string& file) {
   if (!reader.has("format") || reader.at("format").text() != "scanchor-run") {
     reader.fail("is no run", "'scanchor check SUITE --json' writes one");
   }
-  if (reader.at("schema").integer() != 1) reader.at("schema").fail("is of another version of the format");
+  if (reader.at("schema").integer() != 1)
+    reader.at("schema").fail("is of another version of the format");
   RunResult result;
   result.suite = reader.at("suite").text();
   result.data = reader.at("data").text();
   result.method = reader.at("method").text();
   result.protocol = protocol_from_text(reader.at("protocol").text(), file + ": protocol");
   if (protocol_stamp(result.protocol) != reader.at("protocol_stamp").text()) {
-    reader.at("protocol_stamp").fail("does not belong to the protocol in the file", "one of the two was edited");
+    reader.at("protocol_stamp")
+        .fail("does not belong to the protocol in the file", "one of the two was edited");
   }
   if (reader.has("timing")) {
     const auto timing = reader.at("timing");
@@ -101,7 +104,8 @@ RunResult run_from_json(const Json& json, const std::string& file) {
     row.seed = one.at("seed").raw().get<std::uint64_t>();
     row.problem = one.at("problem").text();
     if (one.has("stages")) row.times = times_in(one.at("stages"));
-    row.score = score_from_json(one.at("score").raw(), file + ": scenes[" + std::to_string(i) + "]");
+    row.score =
+        score_from_json(one.at("score").raw(), file + ": scenes[" + std::to_string(i) + "]");
     result.times.add(row.times);
     if (row.score.data != result.data) one.fail("is of other data than the run");
     result.pooled.add(row.score);

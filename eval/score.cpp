@@ -16,7 +16,8 @@ void check_answer(const Scan& scan, const PointPrediction& p) {
   const std::size_t count = scan.truth.size();
   const auto check = [&](const char* column, std::size_t size, bool may_be_empty) {
     if (size == count || (size == 0 && may_be_empty)) return;
-    fail_data("prediction", "", fmt::format("{} has {} rows, the scan has {} points", column, size, count),
+    fail_data("prediction", "",
+              fmt::format("{} has {} rows, the scan has {} points", column, size, count),
               "one row a point, in the scan's order");
   };
   check("class_id", p.class_id.size(), false);
@@ -26,13 +27,16 @@ void check_answer(const Scan& scan, const PointPrediction& p) {
   const auto classes = static_cast<std::int32_t>(class_list().size());
   for (std::size_t i = 0; i < p.class_id.size(); ++i) {
     if (p.class_id[i] >= classes) {
-      fail_data("prediction", fmt::format("point {}", i), fmt::format("class {} is not in the class list", p.class_id[i]),
+      fail_data("prediction", fmt::format("point {}", i),
+                fmt::format("class {} is not in the class list", p.class_id[i]),
                 "is the label map another one?");
     }
   }
   for (std::size_t i = 0; i < p.confidence.size(); ++i) {
-    if (std::isfinite(p.confidence[i]) && p.confidence[i] >= 0.0F && p.confidence[i] <= 1.0F) continue;
-    fail_data("prediction", fmt::format("point {}", i), fmt::format("confidence {} does not lie in 0 .. 1", p.confidence[i]));
+    if (std::isfinite(p.confidence[i]) && p.confidence[i] >= 0.0F && p.confidence[i] <= 1.0F)
+      continue;
+    fail_data("prediction", fmt::format("point {}", i),
+              fmt::format("confidence {} does not lie in 0 .. 1", p.confidence[i]));
   }
 }
 
@@ -43,7 +47,8 @@ void error_metrics(const std::string& name, const ErrorStats& stats, Metrics& li
   list.emplace_back("geometry." + name + ".mean", stats.mean());
   list.emplace_back("geometry." + name + ".median", stats.quantile(0.5));
   list.emplace_back("geometry." + name + ".rms", stats.rms());
-  if (stats.with_interval > 0) list.emplace_back("geometry." + name + ".coverage", stats.coverage());
+  if (stats.with_interval > 0)
+    list.emplace_back("geometry." + name + ".coverage", stats.coverage());
 }
 
 }  // namespace
@@ -69,17 +74,21 @@ void Score::add(const Score& other) {
 
 void require_comparable(const Score& a, const Score& b) {
   if (a.protocol != b.protocol) {
-    fail_data("", "", fmt::format("scores under different protocols do not compare: {} and {}", a.protocol, b.protocol),
+    fail_data("", "",
+              fmt::format("scores under different protocols do not compare: {} and {}", a.protocol,
+                          b.protocol),
               "score both under one protocol");
   }
   if (a.data != b.data) {
-    fail_data("", "", fmt::format("scores of different data do not compare: '{}' and '{}'", a.data, b.data),
+    fail_data("", "",
+              fmt::format("scores of different data do not compare: '{}' and '{}'", a.data, b.data),
               "score both on the same suite or data set");
   }
 }
 
-Score score_scan(const Scan& scan, const Scene* scene, const Answer& answer, const Protocol& protocol,
-                 const std::vector<NamedRelation>& relations, ObjectSummary* details) {
+Score score_scan(const Scan& scan, const Scene* scene, const Answer& answer,
+                 const Protocol& protocol, const std::vector<NamedRelation>& relations,
+                 ObjectSummary* details) {
   PointPrediction p = answer.points;
   check_answer(scan, p);
   p.instance.resize(p.class_id.size(), -1);
@@ -93,30 +102,36 @@ Score score_scan(const Scan& scan, const Scene* scene, const Answer& answer, con
   PlaneMatch match;
   score.planes = score_planes(truth.plane, truth.ignored_planes, p.plane, protocol, &match);
   score.points = score_points(truth.class_id, p.class_id, rules);
-  const Segments segments = make_segments({truth.class_id, truth.instance}, {p.class_id, p.instance}, p.confidence,
-                                          truth.ignored_instances, rules, protocol);
+  const Segments segments =
+      make_segments({truth.class_id, truth.instance}, {p.class_id, p.instance}, p.confidence,
+                    truth.ignored_instances, rules, protocol);
   score.panoptic = score_panoptic(segments, rules, protocol);
   score.instances = score_instances(segments, rules, protocol);
   const ObjectSummary objects = summarize_objects(truth, p, protocol, answer.described);
   score.objects = objects.score;
-  if (answer.surfaces) score.geometry = score_geometry(truth, match, *answer.surfaces, scan, protocol);
-  if (answer.labelling && scene) score_groups(objects, *answer.labelling, scan, *scene, score.geometry);
-  score.labels = score_labels(answer.surfaces && answer.labelling
-                                  ? labelled_things(truth, *answer.surfaces, *answer.labelling, protocol, answer.described)
-                                  : labelled_things(objects),
-                              protocol);
+  if (answer.surfaces)
+    score.geometry = score_geometry(truth, match, *answer.surfaces, scan, protocol);
+  if (answer.labelling && scene)
+    score_groups(objects, *answer.labelling, scan, *scene, score.geometry);
+  score.labels = score_labels(
+      answer.surfaces && answer.labelling
+          ? labelled_things(truth, *answer.surfaces, *answer.labelling, protocol, answer.described)
+          : labelled_things(objects),
+      protocol);
   if (!relations.empty()) score.relations = score_relations(relations, answer.relations);
   if (details) *details = objects;
   return score;
 }
 
-Score score_scan(const Scan& scan, const Scene* scene, const PointPrediction& prediction, const Protocol& protocol) {
+Score score_scan(const Scan& scan, const Scene* scene, const PointPrediction& prediction,
+                 const Protocol& protocol) {
   Answer answer;
   answer.points = prediction;
   return score_scan(scan, scene, answer, protocol);
 }
 
-Score score_failed(const Scan& scan, const Scene* scene, const std::string& name, const std::string& cause, const Protocol& protocol) {
+Score score_failed(const Scan& scan, const Scene* scene, const std::string& name,
+                   const std::string& cause, const Protocol& protocol) {
   PointPrediction nothing;
   nothing.class_id.assign(scan.truth.size(), unlabelled);
   Score score = score_scan(scan, scene, nothing, protocol);
@@ -136,7 +151,8 @@ Metrics metrics(const Score& score, const Protocol& protocol) {
   list.emplace_back("objects.mean_f1", score.objects.mean_f1());
   list.emplace_back("points.miou", mean_iou(score.points, rules, protocol));
   list.emplace_back("points.accuracy", point_accuracy(score.points));
-  const std::pair<const char*, ClassKind> kinds[] = {{"", ClassKind::all}, {"_things", ClassKind::things}, {"_stuff", ClassKind::stuff}};
+  const std::pair<const char*, ClassKind> kinds[] = {
+      {"", ClassKind::all}, {"_things", ClassKind::things}, {"_stuff", ClassKind::stuff}};
   for (const auto& [suffix, kind] : kinds) {
     const PanopticQuality q = panoptic_quality(score.panoptic, kind, rules, protocol);
     list.emplace_back(std::string("panoptic.pq") + suffix, q.pq);
@@ -146,13 +162,16 @@ Metrics metrics(const Score& score, const Protocol& protocol) {
   list.emplace_back("instances.ap25", mean_average_precision(score.instances, 0, rules, protocol));
   for (std::size_t i = 0; i < protocol.ap_thresholds.size(); ++i) {
     if (protocol.ap_thresholds[i] != 0.5) continue;
-    list.emplace_back("instances.ap50", mean_average_precision(score.instances, i + 1, rules, protocol));
+    list.emplace_back("instances.ap50",
+                      mean_average_precision(score.instances, i + 1, rules, protocol));
   }
   list.emplace_back("instances.ap", mean_average_precision(score.instances, rules, protocol));
   for (std::size_t i = 0; i < protocol.plane_tolerances.size(); ++i) {
     const double tolerance = protocol.plane_tolerances[i];
-    list.emplace_back(fmt::format("planes.precision@{:.2f}", tolerance), plane_precision(score.planes, i));
-    list.emplace_back(fmt::format("planes.recall@{:.2f}", tolerance), plane_recall(score.planes, i));
+    list.emplace_back(fmt::format("planes.precision@{:.2f}", tolerance),
+                      plane_precision(score.planes, i));
+    list.emplace_back(fmt::format("planes.recall@{:.2f}", tolerance),
+                      plane_recall(score.planes, i));
     list.emplace_back(fmt::format("planes.f1@{:.2f}", tolerance), plane_f1(score.planes, i));
   }
   list.emplace_back("planes.adjusted_precision", adjusted_precision(score.planes));
@@ -183,7 +202,8 @@ Metrics metrics(const Score& score, const Protocol& protocol) {
   }
   for (std::size_t c = 0; c < rules.size(); ++c) {
     if (!rules.scored[c]) continue;
-    const ObjectCounts counts = c < score.objects.classes.size() ? score.objects.classes[c] : ObjectCounts{};
+    const ObjectCounts counts =
+        c < score.objects.classes.size() ? score.objects.classes[c] : ObjectCounts{};
     if (counts.truths + counts.claims() > 0) {
       list.emplace_back("objects.precision." + rules.names[c], counts.precision());
       list.emplace_back("objects.recall." + rules.names[c], counts.recall());
@@ -191,8 +211,10 @@ Metrics metrics(const Score& score, const Protocol& protocol) {
     }
     const ClassPoints points = class_points(score.points, c);
     if (!points.absent()) list.emplace_back("points.iou." + rules.names[c], points.iou());
-    if (c < score.panoptic.classes.size() && panoptic_quality(score.panoptic.classes[c]).classes > 0) {
-      list.emplace_back("panoptic.pq." + rules.names[c], panoptic_quality(score.panoptic.classes[c]).pq);
+    if (c < score.panoptic.classes.size() &&
+        panoptic_quality(score.panoptic.classes[c]).classes > 0) {
+      list.emplace_back("panoptic.pq." + rules.names[c],
+                        panoptic_quality(score.panoptic.classes[c]).pq);
     }
   }
   return list;

@@ -22,10 +22,11 @@ namespace scanchor {
 
 /// Everything that was counted. Pooled numbers are made of pooled counts, never of means of ratios.
 struct Score {
-  std::string protocol;   ///< protocol_stamp; empty: nothing scored yet
-  std::string data;       ///< what was scored: name and hash of the data set or suite; may be empty
+  std::string protocol;  ///< protocol_stamp; empty: nothing scored yet
+  std::string data;      ///< what was scored: name and hash of the data set or suite; may be empty
   std::int64_t scans = 0;
-  std::vector<std::string> failed;  ///< scans without an answer, scored as all missed: "name: cause"
+  std::vector<std::string>
+      failed;  ///< scans without an answer, scored as all missed: "name: cause"
   PlaneScore planes;
   PointScore points;
   PanopticScore panoptic;
@@ -34,7 +35,8 @@ struct Score {
   GeometryScore geometry;
   RelationScore relations;
   LabelScore labels;
-  /// Adds another score. Throws Error(bad_data) where protocol or data differ: such numbers cannot be compared, let alone added.
+  /// Adds another score. Throws Error(bad_data) where protocol or data differ: such numbers cannot
+  /// be compared, let alone added.
   void add(const Score& other);
   friend bool operator==(const Score&, const Score&) = default;
 };
@@ -45,20 +47,25 @@ struct Answer {
   const Surfaces* surfaces = nullptr;
   const Labelling* labelling = nullptr;
   std::vector<ClassId> described;        ///< classes that the method has a word for; empty: all
-  std::vector<NamedRelation> relations;   ///< claims in terms of the truth's ids; empty: not scored
+  std::vector<NamedRelation> relations;  ///< claims in terms of the truth's ids; empty: not scored
 };
 
-/// Holds an answer against the truth. `scene` may be null; `relations`: true relations, empty: not scored. `details` may be null.
-/// Throws Error(bad_data) where the answer has another number of points than the scan, or says what cannot be (NaN, class that is none).
-Score score_scan(const Scan& scan, const Scene* scene, const Answer& answer, const Protocol& protocol,
-                 const std::vector<NamedRelation>& relations = {}, ObjectSummary* details = nullptr);
-Score score_scan(const Scan& scan, const Scene* scene, const PointPrediction& prediction, const Protocol& protocol);
+/// Holds an answer against the truth. `scene` may be null; `relations`: true relations, empty: not
+/// scored. `details` may be null. Throws Error(bad_data) where the answer has another number of
+/// points than the scan, or says what cannot be (NaN, class that is none).
+Score score_scan(const Scan& scan, const Scene* scene, const Answer& answer,
+                 const Protocol& protocol, const std::vector<NamedRelation>& relations = {},
+                 ObjectSummary* details = nullptr);
+Score score_scan(const Scan& scan, const Scene* scene, const PointPrediction& prediction,
+                 const Protocol& protocol);
 
 /// The score of a scan on which the method gave no answer: all missed, and listed with the cause.
-Score score_failed(const Scan& scan, const Scene* scene, const std::string& name, const std::string& cause, const Protocol& protocol);
+Score score_failed(const Scan& scan, const Scene* scene, const std::string& name,
+                   const std::string& cause, const Protocol& protocol);
 
-/// All derived numbers by name, in a fixed order: "points.miou", "panoptic.pq", "planes.recall@0.80", "objects.f1.desk", ... Classes
-/// that are in neither truth nor answer are left out. docs/reference/metrics.md defines each.
+/// All derived numbers by name, in a fixed order: "points.miou", "panoptic.pq",
+/// "planes.recall@0.80", "objects.f1.desk", ... Classes that are in neither truth nor answer are
+/// left out. docs/reference/metrics.md defines each.
 std::vector<std::pair<std::string, double>> metrics(const Score& score, const Protocol& protocol);
 /// One of them. Throws Error(wrong_usage) with "did you mean".
 double metric(const Score& score, const Protocol& protocol, const std::string& name);

@@ -22,7 +22,8 @@ std::int64_t count_in(const JsonReader& reader) {
   if (value < 0) reader.fail("must not be below 0");
   return value;
 }
-// FixedSum lies on a grid of 2^-36: as a double it is exact up to 2^17, and reads back to the same sum.
+// FixedSum lies on a grid of 2^-36: as a double it is exact up to 2^17, and reads back to the same
+// sum.
 FixedSum sum_in(const JsonReader& reader) {
   FixedSum sum;
   sum.add(reader.number_in(-6e7, 6e7));
@@ -48,13 +49,25 @@ void fields_in(const JsonReader& reader, const Fields& fields) {
 }
 
 Fields fields_of(HooverCounts& h) {
-  return {{"correct", h.correct}, {"truth_over", h.truth_over}, {"regions_over", h.regions_over},
-          {"truth_under", h.truth_under}, {"regions_under", h.regions_under}, {"missed", h.missed}, {"noise", h.noise}};
+  return {{"correct", h.correct},
+          {"truth_over", h.truth_over},
+          {"regions_over", h.regions_over},
+          {"truth_under", h.truth_under},
+          {"regions_under", h.regions_under},
+          {"missed", h.missed},
+          {"noise", h.noise}};
 }
 Fields fields_of(PlaneScore& p) {
-  return {{"scans", p.scans}, {"truths", p.truths}, {"regions", p.regions}, {"truth_points", p.truth_points},
-          {"region_points", p.region_points}, {"paired_points", p.paired_points}, {"small_truths", p.small_truths},
-          {"small_recall_sum", p.small_recall}, {"pairs", p.pairs}, {"pairs_agree", p.pairs_agree},
+  return {{"scans", p.scans},
+          {"truths", p.truths},
+          {"regions", p.regions},
+          {"truth_points", p.truth_points},
+          {"region_points", p.region_points},
+          {"paired_points", p.paired_points},
+          {"small_truths", p.small_truths},
+          {"small_recall_sum", p.small_recall},
+          {"pairs", p.pairs},
+          {"pairs_agree", p.pairs_agree},
           {"adjusted_rand_sum", p.adjusted_rand}};
 }
 Fields fields_of(PanopticCounts& p) {
@@ -64,15 +77,24 @@ Fields fields_of(ObjectCounts& o) {
   return {{"truths", o.truths}, {"found", o.found}, {"wrong", o.wrong}, {"repeated", o.repeated}};
 }
 Fields fields_of(ErrorStats& e) {
-  return {{"count", e.count}, {"absolute_sum", e.absolute}, {"squared_sum", e.squared}, {"signed_sum", e.signed_sum},
-          {"with_interval", e.with_interval}, {"covered", e.covered}};
+  return {
+      {"count", e.count},           {"absolute_sum", e.absolute},       {"squared_sum", e.squared},
+      {"signed_sum", e.signed_sum}, {"with_interval", e.with_interval}, {"covered", e.covered}};
 }
 Fields fields_of(RelationCounts& c) {
-  return {{"right", c.right}, {"wrong", c.wrong}, {"missed", c.missed}, {"judged", c.judged}, {"brier_sum", c.brier}};
+  return {{"right", c.right},
+          {"wrong", c.wrong},
+          {"missed", c.missed},
+          {"judged", c.judged},
+          {"brier_sum", c.brier}};
 }
 Fields fields_of(LabelScore& l) {
-  return {{"things", l.things}, {"unknown", l.unknown}, {"ambiguous", l.ambiguous}, {"unknown_right", l.unknown_right},
-          {"brier_things", l.brier_things}, {"brier_sum", l.brier}};
+  return {{"things", l.things},
+          {"unknown", l.unknown},
+          {"ambiguous", l.ambiguous},
+          {"unknown_right", l.unknown_right},
+          {"brier_things", l.brier_things},
+          {"brier_sum", l.brier}};
 }
 
 template <class Counts>
@@ -110,7 +132,8 @@ Json planes_out(const PlaneScore& planes, const Protocol& protocol) {
 PlaneScore planes_in(const JsonReader& reader) {
   auto planes = counts_in<PlaneScore>(reader);
   const auto hoover = reader.at("hoover");
-  for (std::size_t i = 0; i < hoover.size(); ++i) planes.hoover.push_back(counts_in<HooverCounts>(hoover.at(i)));
+  for (std::size_t i = 0; i < hoover.size(); ++i)
+    planes.hoover.push_back(counts_in<HooverCounts>(hoover.at(i)));
   return planes;
 }
 
@@ -120,7 +143,9 @@ std::size_t class_in(const JsonReader& reader, const std::string& name) {
   if (!id) reader.fail("'" + name + "' is no class", "the score was made with another class list");
   return static_cast<std::size_t>(*id);
 }
-std::string class_out(std::size_t id) { return std::string(class_info(static_cast<ClassId>(id)).name); }
+std::string class_out(std::size_t id) {
+  return std::string(class_info(static_cast<ClassId>(id)).name);
+}
 
 Json points_out(const PointScore& points) {
   Json confusion = Json::object();  // truth -> predicted -> points, where there are any
@@ -146,7 +171,8 @@ PointScore points_in(const JsonReader& reader) {
   for (const auto& truth : confusion.keys()) {
     const auto row = confusion.at(truth);
     for (const auto& predicted : row.keys()) {
-      points.confusion[class_in(row, truth) * points.classes + class_in(row, predicted)] = count_in(row.at(predicted));
+      points.confusion[class_in(row, truth) * points.classes + class_in(row, predicted)] =
+          count_in(row.at(predicted));
     }
   }
   return points;
@@ -208,7 +234,8 @@ void classes_in(const JsonReader& reader, Score& score) {
   for (const auto& name : reader.keys()) {
     const auto one = reader.at(name);
     const std::size_t c = class_in(one, name);
-    if (one.has("panoptic")) score.panoptic.classes[c] = counts_in<PanopticCounts>(one.at("panoptic"));
+    if (one.has("panoptic"))
+      score.panoptic.classes[c] = counts_in<PanopticCounts>(one.at("panoptic"));
     if (one.has("objects")) score.objects.classes[c] = counts_in<ObjectCounts>(one.at("objects"));
     if (one.has("instances")) score.instances.classes[c] = instances_in(one.at("instances"));
   }
@@ -227,16 +254,21 @@ ErrorStats errors_in(const JsonReader& reader) {
   const auto histogram = reader.at("histogram");
   for (std::size_t i = 0; i < histogram.size(); ++i) {
     const auto row = histogram.at(i);
-    errors.histogram[static_cast<std::int32_t>(row.at(std::size_t{0}).integer())] = count_in(row.at(1));
+    errors.histogram[static_cast<std::int32_t>(row.at(std::size_t{0}).integer())] =
+        count_in(row.at(1));
   }
   return errors;
 }
 
 constexpr std::pair<const char*, ErrorStats GeometryScore::*> quantities[] = {
-    {"normal_deg", &GeometryScore::normal_deg}, {"offset", &GeometryScore::offset},
-    {"length", &GeometryScore::length}, {"width", &GeometryScore::width},
-    {"area", &GeometryScore::area}, {"elevation", &GeometryScore::elevation},
-    {"group_center", &GeometryScore::group_center}, {"group_size", &GeometryScore::group_size}};
+    {"normal_deg", &GeometryScore::normal_deg},
+    {"offset", &GeometryScore::offset},
+    {"length", &GeometryScore::length},
+    {"width", &GeometryScore::width},
+    {"area", &GeometryScore::area},
+    {"elevation", &GeometryScore::elevation},
+    {"group_center", &GeometryScore::group_center},
+    {"group_size", &GeometryScore::group_size}};
 
 Json relations_out(const std::map<std::string, RelationCounts>& relations) {
   Json list = Json::object();
@@ -246,7 +278,8 @@ Json relations_out(const std::map<std::string, RelationCounts>& relations) {
 
 std::map<std::string, RelationCounts> relations_in(const JsonReader& reader) {
   std::map<std::string, RelationCounts> relations;
-  for (const auto& name : reader.keys()) relations[name] = counts_in<RelationCounts>(reader.at(name));
+  for (const auto& name : reader.keys())
+    relations[name] = counts_in<RelationCounts>(reader.at(name));
   return relations;
 }
 
@@ -296,7 +329,8 @@ Json score_to_json(const Score& score, const Protocol& protocol) {
   put(json, "ignored_things", score.objects.ignored);
   put(json, "not_described_things", score.objects.not_described);
   Json geometry = Json::object();
-  for (const auto& [name, member] : quantities) put(geometry, name, errors_out(score.geometry.*member));
+  for (const auto& [name, member] : quantities)
+    put(geometry, name, errors_out(score.geometry.*member));
   put(json, "geometry", std::move(geometry));
   Json relations = Json::object();
   put(relations, "clear", relations_out(score.relations.clear));
@@ -314,7 +348,8 @@ Score score_from_json(const Json& json, const std::string& file) {
   if (!reader.has("format") || reader.at("format").text() != "scanchor-score") {
     reader.fail("is no score", "'scanchor score --json' writes one");
   }
-  if (reader.at("schema").integer() != schema) reader.at("schema").fail("is of another version of the format");
+  if (reader.at("schema").integer() != schema)
+    reader.at("schema").fail("is of another version of the format");
   Score score;
   score.protocol = reader.at("protocol").text();
   score.data = reader.at("data").text();
@@ -326,7 +361,8 @@ Score score_from_json(const Json& json, const std::string& file) {
   classes_in(reader.at("classes"), score);
   score.objects.ignored = count_in(reader.at("ignored_things"));
   score.objects.not_described = count_in(reader.at("not_described_things"));
-  for (const auto& [name, member] : quantities) score.geometry.*member = errors_in(reader.at("geometry").at(name));
+  for (const auto& [name, member] : quantities)
+    score.geometry.*member = errors_in(reader.at("geometry").at(name));
   score.relations.clear = relations_in(reader.at("relations").at("clear"));
   score.relations.borderline = relations_in(reader.at("relations").at("borderline"));
   const auto labels = reader.at("labels");

@@ -35,7 +35,8 @@ Numbered number_segments(const std::vector<Key>& rows) {
 }
 
 // `merge_stuff`: all points of a stuff class are one segment.
-std::vector<Key> rows_of(const LabelColumns& columns, bool merge_stuff, const ClassRules& rules, const Protocol& protocol) {
+std::vector<Key> rows_of(const LabelColumns& columns, bool merge_stuff, const ClassRules& rules,
+                         const Protocol& protocol) {
   std::vector<Key> rows(columns.class_id.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::int32_t class_id = rules.of(columns.class_id[i]);
@@ -53,7 +54,8 @@ std::vector<Key> rows_of(const LabelColumns& columns, bool merge_stuff, const Cl
 
 }  // namespace
 
-Segments make_segments(const LabelColumns& truth, const LabelColumns& predicted, std::span<const float> confidence,
+Segments make_segments(const LabelColumns& truth, const LabelColumns& predicted,
+                       std::span<const float> confidence,
                        std::span<const std::int32_t> ignored_instances, const ClassRules& rules,
                        const Protocol& protocol) {
   assert(truth.class_id.size() == predicted.class_id.size());
@@ -69,9 +71,11 @@ Segments make_segments(const LabelColumns& truth, const LabelColumns& predicted,
 
   Segments segments;
   for (const Key& key : t.keys) segments.truth.push_back({key.class_id, key.instance, 0, false});
-  for (const Key& key : p.keys) segments.predicted.push_back({key.class_id, key.instance, 0, 0, 0.0F});
+  for (const Key& key : p.keys)
+    segments.predicted.push_back({key.class_id, key.instance, 0, 0, 0.0F});
   for (const Overlap& overlap : overlap_table(t.segment, p.segment)) {
-    if (overlap.truth >= 0) segments.truth[static_cast<std::size_t>(overlap.truth)].points += overlap.points;
+    if (overlap.truth >= 0)
+      segments.truth[static_cast<std::size_t>(overlap.truth)].points += overlap.points;
     if (overlap.predicted < 0) continue;
     auto& claim = segments.predicted[static_cast<std::size_t>(overlap.predicted)];
     claim.points += overlap.points;
@@ -83,8 +87,10 @@ Segments make_segments(const LabelColumns& truth, const LabelColumns& predicted,
   }
   for (auto& segment : segments.truth) {
     const bool stuff = !rules.thing[static_cast<std::size_t>(segment.class_id)];
-    const bool unseen = !stuff && std::binary_search(ignored_instances.begin(), ignored_instances.end(), segment.instance);
-    segment.ignored = unseen || (protocol.small == "ignore" && segment.points < protocol.min_points);
+    const bool unseen = !stuff && std::binary_search(ignored_instances.begin(),
+                                                     ignored_instances.end(), segment.instance);
+    segment.ignored =
+        unseen || (protocol.small == "ignore" && segment.points < protocol.min_points);
   }
   for (const auto& overlap : segments.overlaps) {
     if (!segments.truth[static_cast<std::size_t>(overlap.truth)].ignored) continue;
@@ -98,13 +104,16 @@ Segments make_segments(const LabelColumns& truth, const LabelColumns& predicted,
   return segments;
 }
 
-double segment_iou(const Segments& segments, const SegmentOverlap& overlap, const Protocol& protocol) {
+double segment_iou(const Segments& segments, const SegmentOverlap& overlap,
+                   const Protocol& protocol) {
   const auto& truth = segments.truth[static_cast<std::size_t>(overlap.truth)];
   const auto& claim = segments.predicted[static_cast<std::size_t>(overlap.predicted)];
   std::int64_t united = truth.points + claim.points - overlap.points;
   // An ignored truth is itself part of the claim's void points: its overlap is not taken off twice.
-  if (protocol.void_points == "subtract") united -= claim.void_points - (truth.ignored ? overlap.points : 0);
-  return static_cast<double>(overlap.points) / static_cast<double>(std::max<std::int64_t>(united, 1));
+  if (protocol.void_points == "subtract")
+    united -= claim.void_points - (truth.ignored ? overlap.points : 0);
+  return static_cast<double>(overlap.points) /
+         static_cast<double>(std::max<std::int64_t>(united, 1));
 }
 
 }  // namespace scanchor

@@ -23,9 +23,11 @@ std::string number(double value) {
   return {text, end.ptr};
 }
 
-// Effects that a scan does without: numbers that scale noise. Geometry of the sweep is none of them.
+// Effects that a scan does without: numbers that scale noise. Geometry of the sweep is none of
+// them.
 bool is_noise(const std::string& name) {
-  for (const char* part : {"sigma", "probability", "noise", "dropout", "jitter", "backlash", "drift", "divergence", "mixed", "skew", "offset", "bias", "error"}) {
+  for (const char* part : {"sigma", "probability", "noise", "dropout", "jitter", "backlash",
+                           "drift", "divergence", "mixed", "skew", "offset", "bias", "error"}) {
     if (name.find(part) != std::string::npos) return true;
   }
   return false;
@@ -49,9 +51,11 @@ Set shrink_set(std::size_t count, const std::function<bool(const Set&)>& fails) 
     // A piece alone, then everything but a piece.
     for (const bool complement : {false, true}) {
       for (std::size_t k = 0; k < pieces && !smaller; ++k) {
-        const std::size_t begin = k * current.size() / pieces, end = (k + 1) * current.size() / pieces;
+        const std::size_t begin = k * current.size() / pieces,
+                          end = (k + 1) * current.size() / pieces;
         const Set rest = without(current, begin, end);
-        const Set piece(current.begin() + static_cast<std::ptrdiff_t>(begin), current.begin() + static_cast<std::ptrdiff_t>(end));
+        const Set piece(current.begin() + static_cast<std::ptrdiff_t>(begin),
+                        current.begin() + static_cast<std::ptrdiff_t>(end));
         const Set& candidate = complement ? rest : piece;
         if (candidate.size() == current.size() || !still(candidate)) continue;
         current = candidate;
@@ -66,7 +70,9 @@ Set shrink_set(std::size_t count, const std::function<bool(const Set&)>& fails) 
   return current;
 }
 
-ShrinkResult shrink_case(const FailingCase& start, const std::function<bool(const FailingCase&)>& fails, const std::vector<std::int32_t>& keep) {
+ShrinkResult shrink_case(const FailingCase& start,
+                         const std::function<bool(const FailingCase&)>& fails,
+                         const std::vector<std::int32_t>& keep) {
   ShrinkResult result;
   const auto ask = [&](const FailingCase& candidate) {
     ++result.tried;
@@ -81,11 +87,13 @@ ShrinkResult shrink_case(const FailingCase& start, const std::function<bool(cons
     one.scene.sensor_poses = {start.scene.sensor_poses[static_cast<std::size_t>(start.pose)]};
     one.pose = 0;
     result.smallest = one;
-    result.steps.push_back({"kept 1 of " + std::to_string(start.scene.sensor_poses.size()) + " sensor poses"});
+    result.steps.push_back(
+        {"kept 1 of " + std::to_string(start.scene.sensor_poses.size()) + " sensor poses"});
   }
   std::vector<std::size_t> loose;  // places of the instances that may go
   for (std::size_t i = 0; i < start.scene.instances.size(); ++i) {
-    if (std::find(keep.begin(), keep.end(), start.scene.instances[i].id) == keep.end()) loose.push_back(i);
+    if (std::find(keep.begin(), keep.end(), start.scene.instances[i].id) == keep.end())
+      loose.push_back(i);
   }
   const auto with = [&](const Set& chosen) {
     std::vector<char> stays(start.scene.instances.size(), 1);
@@ -106,7 +114,8 @@ ShrinkResult shrink_case(const FailingCase& start, const std::function<bool(cons
   const Set needed = shrink_set(loose.size(), fails_with);
   result.smallest = with(needed);
   if (needed.size() < loose.size()) {
-    result.steps.push_back({"left out " + std::to_string(loose.size() - needed.size()) + " of " + std::to_string(start.scene.instances.size()) + " things"});
+    result.steps.push_back({"left out " + std::to_string(loose.size() - needed.size()) + " of " +
+                            std::to_string(start.scene.instances.size()) + " things"});
   }
 
   OptionList names;
@@ -131,7 +140,8 @@ ShrinkResult shrink_case(const FailingCase& start, const std::function<bool(cons
     if (!try_value(0.0)) {
       for (double value = first / 2; value >= first / 16 && try_value(value);) value /= 2;
     }
-    if (best < first) result.steps.push_back({option.name + " " + number(first) + " -> " + number(best)});
+    if (best < first)
+      result.steps.push_back({option.name + " " + number(first) + " -> " + number(best)});
   }
   return result;
 }

@@ -13,7 +13,8 @@ namespace {
 
 using Rows = std::vector<std::vector<double>>;
 
-// The counts are sums of many terms in another order: what differs by rounding only is a tie, and ties count as hits.
+// The counts are sums of many terms in another order: what differs by rounding only is a tie, and
+// ties count as hits.
 constexpr double slack = 1e-12;
 
 void add_to(std::vector<double>& sums, const std::vector<double>& row, double sign) {
@@ -27,11 +28,13 @@ std::vector<double> sum_of(const Rows& rows) {
 }
 
 // The statistic from pooled sums: of the difference, or of `after` alone.
-double statistic(const PairedCounts& counts, const std::vector<double>& before, const std::vector<double>& after, bool difference) {
+double statistic(const PairedCounts& counts, const std::vector<double>& before,
+                 const std::vector<double>& after, bool difference) {
   return counts.value(after) - (difference ? counts.value(before) : 0.0);
 }
 
-Interval bca(const PairedCounts& counts, double confidence, int replicates, std::uint64_t seed, bool difference) {
+Interval bca(const PairedCounts& counts, double confidence, int replicates, std::uint64_t seed,
+             bool difference) {
   const std::size_t n = counts.after.size();
   const auto all_before = sum_of(counts.before);
   const auto all_after = sum_of(counts.after);
@@ -45,7 +48,8 @@ Interval bca(const PairedCounts& counts, double confidence, int replicates, std:
       std::fill(before.begin(), before.end(), 0.0);
       std::fill(after.begin(), after.end(), 0.0);
       for (std::size_t i = 0; i < n; i += 4) {
-        // Four draws from the words of one counter; 32 bits times n, shifted, is uniform to n / 2^32.
+        // Four draws from the words of one counter; 32 bits times n, shifted, is uniform to n /
+        // 2^32.
         const auto words = random.words(b, static_cast<std::uint32_t>(i));
         for (std::size_t j = i; j < std::min(i + 4, n); ++j) {
           const auto drawn = static_cast<std::size_t>(std::uint64_t{words[j - i]} * n >> 32U);
@@ -58,8 +62,10 @@ Interval bca(const PairedCounts& counts, double confidence, int replicates, std:
   });
   std::sort(sample.begin(), sample.end());
   // Bias: where the estimate stands among the replicates, ties counted half.
-  const auto below = static_cast<double>(std::lower_bound(sample.begin(), sample.end(), estimate) - sample.begin());
-  const auto upto = static_cast<double>(std::upper_bound(sample.begin(), sample.end(), estimate) - sample.begin());
+  const auto below = static_cast<double>(std::lower_bound(sample.begin(), sample.end(), estimate) -
+                                         sample.begin());
+  const auto upto = static_cast<double>(std::upper_bound(sample.begin(), sample.end(), estimate) -
+                                        sample.begin());
   const double count = static_cast<double>(replicates);
   const double share = std::clamp(0.5 * (below + upto) / count, 0.5 / count, 1.0 - 0.5 / count);
   const double z0 = normal_quantile(share);
@@ -72,7 +78,8 @@ Interval bca(const PairedCounts& counts, double confidence, int replicates, std:
     add_to(after, counts.after[i], -1.0);
     jackknife[i] = statistic(counts, before, after, difference);
   }
-  const double mean = std::accumulate(jackknife.begin(), jackknife.end(), 0.0) / static_cast<double>(n);
+  const double mean =
+      std::accumulate(jackknife.begin(), jackknife.end(), 0.0) / static_cast<double>(n);
   double square = 0, cube = 0;
   for (const double value : jackknife) {
     const double d = mean - value;
@@ -93,7 +100,9 @@ Interval bca(const PairedCounts& counts, double confidence, int replicates, std:
 
 }  // namespace
 
-double pooled_value(const PairedCounts& counts, const Rows& rows) { return counts.value(sum_of(rows)); }
+double pooled_value(const PairedCounts& counts, const Rows& rows) {
+  return counts.value(sum_of(rows));
+}
 
 double pooled_difference(const PairedCounts& counts) {
   return pooled_value(counts, counts.after) - pooled_value(counts, counts.before);
@@ -103,15 +112,18 @@ double scene_difference(const PairedCounts& counts, std::size_t scene) {
   return counts.value(counts.after[scene]) - counts.value(counts.before[scene]);
 }
 
-Interval bca_interval(const PairedCounts& counts, double confidence, int replicates, std::uint64_t seed) {
+Interval bca_interval(const PairedCounts& counts, double confidence, int replicates,
+                      std::uint64_t seed) {
   return bca(counts, confidence, replicates, seed, true);
 }
 
-Interval bca_interval_of_value(const PairedCounts& counts, double confidence, int replicates, std::uint64_t seed) {
+Interval bca_interval_of_value(const PairedCounts& counts, double confidence, int replicates,
+                               std::uint64_t seed) {
   return bca(counts, confidence, replicates, seed, false);
 }
 
-std::vector<double> flipped_differences(const PairedCounts& counts, int permutations, std::uint64_t seed) {
+std::vector<double> flipped_differences(const PairedCounts& counts, int permutations,
+                                        std::uint64_t seed) {
   const std::size_t n = counts.scenes();
   const CounterRandom random(stream_seed(seed, "sign flip"));
   std::vector<double> differences(static_cast<std::size_t>(std::max(permutations, 0)));
@@ -142,11 +154,13 @@ std::vector<double> flipped_differences(const PairedCounts& counts, int permutat
 double sign_flip_p(const PairedCounts& counts, int permutations, std::uint64_t seed) {
   const double observed = pooled_difference(counts);
   const auto differences = flipped_differences(counts, permutations, seed);
-  const auto hits = std::count_if(differences.begin(), differences.end(), [&](double d) { return d <= observed + slack; });
+  const auto hits = std::count_if(differences.begin(), differences.end(),
+                                  [&](double d) { return d <= observed + slack; });
   return static_cast<double>(hits + 1) / static_cast<double>(differences.size() + 1);
 }
 
-std::vector<double> step_down_p(const std::vector<PairedCounts>& metrics, int permutations, std::uint64_t seed) {
+std::vector<double> step_down_p(const std::vector<PairedCounts>& metrics, int permutations,
+                                std::uint64_t seed) {
   const std::size_t many = metrics.size();
   // For each metric the p-value that each exchange would have had, the observed one first.
   std::vector<std::vector<double>> p(many);
@@ -156,19 +170,22 @@ std::vector<double> step_down_p(const std::vector<PairedCounts>& metrics, int pe
     auto sorted = values;
     std::sort(sorted.begin(), sorted.end());
     for (const double value : values) {
-      const auto upto = std::upper_bound(sorted.begin(), sorted.end(), value + slack) - sorted.begin();
+      const auto upto =
+          std::upper_bound(sorted.begin(), sorted.end(), value + slack) - sorted.begin();
       p[k].push_back(static_cast<double>(upto) / static_cast<double>(sorted.size()));
     }
   }
   std::vector<std::size_t> order(many);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return p[a][0] < p[b][0]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return p[a][0] < p[b][0]; });
   std::vector<double> adjusted(many);
   std::vector<double> least(static_cast<std::size_t>(std::max(permutations, 0)) + 1, 1.0);
   for (std::size_t rank = many; rank-- > 0;) {
     const auto& own = p[order[rank]];
     for (std::size_t b = 0; b < least.size(); ++b) least[b] = std::min(least[b], own[b]);
-    const auto hits = std::count_if(least.begin(), least.end(), [&](double value) { return value <= own[0]; });
+    const auto hits =
+        std::count_if(least.begin(), least.end(), [&](double value) { return value <= own[0]; });
     adjusted[order[rank]] = static_cast<double>(hits) / static_cast<double>(least.size());
   }
   for (std::size_t rank = 1; rank < many; ++rank) {
@@ -180,11 +197,13 @@ std::vector<double> step_down_p(const std::vector<PairedCounts>& metrics, int pe
 std::vector<double> holm_adjust(std::span<const double> p) {
   std::vector<std::size_t> order(p.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return p[a] < p[b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return p[a] < p[b]; });
   std::vector<double> adjusted(p.size());
   double running = 0;
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
-    running = std::max(running, std::min(1.0, static_cast<double>(p.size() - rank) * p[order[rank]]));
+    running =
+        std::max(running, std::min(1.0, static_cast<double>(p.size() - rank) * p[order[rank]]));
     adjusted[order[rank]] = running;
   }
   return adjusted;

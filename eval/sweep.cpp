@@ -14,7 +14,8 @@ namespace {
 double number_of(std::string_view text, const std::string& whole) {
   double value = 0;
   const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (result.ec != std::errc() || result.ptr != text.data() + text.size() || !std::isfinite(value)) {
+  if (result.ec != std::errc() || result.ptr != text.data() + text.size() ||
+      !std::isfinite(value)) {
     fail_usage("'" + whole + "': '" + std::string(text) + "' is not a number",
                "write option=low..high, option=low..high/count or option=a,b,c");
   }
@@ -29,7 +30,8 @@ std::vector<const Score*> scores_of(const RunResult& run) {
 
 Interval interval_of(const RunResult& run, const std::string& metric, int replicates) {
   const auto scores = scores_of(run);
-  return bca_interval_of_value(paired_counts(metric, scores, scores, run.protocol), 0.95, replicates, 1);
+  return bca_interval_of_value(paired_counts(metric, scores, scores, run.protocol), 0.95,
+                               replicates, 1);
 }
 
 double value_of(const RunResult& run, const std::string& metric) {
@@ -55,7 +57,8 @@ double crossing(const std::map<double, double>& curve, double limit) {
 
 Axis parse_axis(const std::string& text) {
   const auto equals = text.find('=');
-  if (equals == std::string::npos || equals == 0) fail_usage("'" + text + "' is no axis", "write option=low..high");
+  if (equals == std::string::npos || equals == 0)
+    fail_usage("'" + text + "' is no axis", "write option=low..high");
   Axis axis;
   axis.option = text.substr(0, equals);
   const std::string_view rest = std::string_view(text).substr(equals + 1);
@@ -71,12 +74,14 @@ Axis parse_axis(const std::string& text) {
     int count = 6;
     if (const auto slash = last.find('/'); slash != std::string_view::npos) {
       const double wanted = number_of(last.substr(slash + 1), text);
-      if (wanted < 2 || wanted > 1000 || wanted != std::floor(wanted)) fail_usage("'" + text + "': the count must be a whole number from 2 to 1000");
+      if (wanted < 2 || wanted > 1000 || wanted != std::floor(wanted))
+        fail_usage("'" + text + "': the count must be a whole number from 2 to 1000");
       count = static_cast<int>(wanted);
       last = last.substr(0, slash);
     }
     const double low = number_of(rest.substr(0, dots), text), high = number_of(last, text);
-    for (int i = 0; i < count; ++i) axis.values.push_back(i + 1 == count ? high : low + (high - low) * i / (count - 1));
+    for (int i = 0; i < count; ++i)
+      axis.values.push_back(i + 1 == count ? high : low + (high - low) * i / (count - 1));
   }
   for (std::size_t i = 1; i < axis.values.size(); ++i) {
     if (!(axis.values[i] > axis.values[i - 1])) fail_usage("'" + text + "': the values must rise");
@@ -98,7 +103,8 @@ Suite with_options(const Suite& suite, const std::vector<std::pair<std::string, 
   return changed;
 }
 
-SweepResult sweep(const Suite& suite, const std::vector<Axis>& axes, const SweepOptions& options, const PointRunner& runner) {
+SweepResult sweep(const Suite& suite, const std::vector<Axis>& axes, const SweepOptions& options,
+                  const PointRunner& runner) {
   SweepResult result;
   result.axes = axes;
   std::size_t total = 1;
@@ -121,15 +127,17 @@ SweepResult sweep(const Suite& suite, const std::vector<Axis>& axes, const Sweep
       result.interrupted = true;
       break;
     }
-    for (const auto& metric : options.metrics) point.intervals.emplace_back(metric, interval_of(point.run, metric, options.replicates));
+    for (const auto& metric : options.metrics)
+      point.intervals.emplace_back(metric, interval_of(point.run, metric, options.replicates));
     if (options.progress) options.progress(n + 1, total, point);
     result.points.push_back(std::move(point));
   }
   return result;
 }
 
-BreakingPoint breaking_point(const Suite& suite, const Axis& range, const std::string& metric, double limit, const PointRunner& runner,
-                             double resolution, int replicates) {
+BreakingPoint breaking_point(const Suite& suite, const Axis& range, const std::string& metric,
+                             double limit, const PointRunner& runner, double resolution,
+                             int replicates) {
   BreakingPoint found;
   found.metric = metric;
   found.limit = limit;
@@ -158,8 +166,9 @@ BreakingPoint breaking_point(const Suite& suite, const Axis& range, const std::s
   return found;
 }
 
-std::vector<EffectCost> rank_effects(const Suite& suite, const std::vector<Axis>& axes, const std::string& metric,
-                                     const PointRunner& runner, int replicates) {
+std::vector<EffectCost> rank_effects(const Suite& suite, const std::vector<Axis>& axes,
+                                     const std::string& metric, const PointRunner& runner,
+                                     int replicates) {
   std::vector<EffectCost> costs;
   for (const auto& axis : axes) {
     EffectCost cost;
@@ -174,7 +183,9 @@ std::vector<EffectCost> rank_effects(const Suite& suite, const std::vector<Axis>
     cost.change = bca_interval(counts, 0.95, replicates, 1);
     costs.push_back(cost);
   }
-  std::stable_sort(costs.begin(), costs.end(), [](const EffectCost& a, const EffectCost& b) { return a.after - a.before < b.after - b.before; });
+  std::stable_sort(costs.begin(), costs.end(), [](const EffectCost& a, const EffectCost& b) {
+    return a.after - a.before < b.after - b.before;
+  });
   return costs;
 }
 

@@ -23,16 +23,19 @@ double value_of(const RunResult& run, const std::string& name) {
 
 }  // namespace
 
-SweepResult sweep(const Suite& suite, const std::vector<Axis>& axes, const Method& method, const SweepOptions& options) {
+SweepResult sweep(const Suite& suite, const std::vector<Axis>& axes, const Method& method,
+                  const SweepOptions& options) {
   if (!options.folder.empty()) make_folder(options.folder);
   return sweep(suite, axes, options, [&](const Suite& point) {
     // A finished point is a file named after everything that decides its counts.
-    const std::string key = data_stamp(point, options.run.split) + method.name + protocol_stamp(options.run.protocol) +
-                            std::to_string(options.run.scenes) + "/" + std::to_string(options.run.first_scene) + "/" +
-                            std::to_string(options.run.shard.index) + "/" + std::to_string(options.run.shard.count) + "/" +
-                            std::to_string(point.scenes);
+    const std::string key =
+        data_stamp(point, options.run.split) + method.name + protocol_stamp(options.run.protocol) +
+        std::to_string(options.run.scenes) + "/" + std::to_string(options.run.first_scene) + "/" +
+        std::to_string(options.run.shard.index) + "/" + std::to_string(options.run.shard.count) +
+        "/" + std::to_string(point.scenes);
     const auto file = options.folder / ("point-" + sha256(key).substr(0, 16) + ".json");
-    if (!options.folder.empty() && std::filesystem::exists(file)) return run_from_json(read_json(file), file.string());
+    if (!options.folder.empty() && std::filesystem::exists(file))
+      return run_from_json(read_json(file), file.string());
     RunResult run = run_suite(point, method, options.run);
     if (!options.folder.empty() && !run.interrupted) write_json(file, run_to_json(run));
     return run;
@@ -58,7 +61,8 @@ Json sweep_to_json(const SweepResult& result) {
     one["values"] = point.values;
     one["scenes"] = point.run.rows.size();
     Json all = Json::object();
-    for (const auto& [name, value] : metrics(point.run.pooled, point.run.protocol)) all[name] = value;
+    for (const auto& [name, value] : metrics(point.run.pooled, point.run.protocol))
+      all[name] = value;
     one["metrics"] = std::move(all);
     Json intervals = Json::object();
     for (const auto& [name, interval] : point.intervals) {
@@ -79,14 +83,16 @@ std::string sweep_to_csv(const SweepResult& result) {
   for (const auto& axis : result.axes) text += axis.option + ",";
   text += "scenes";
   if (!result.points.empty()) {
-    for (const auto& [name, interval] : result.points.front().intervals) text += "," + name + "," + name + ".low," + name + ".high";
+    for (const auto& [name, interval] : result.points.front().intervals)
+      text += "," + name + "," + name + ".low," + name + ".high";
   }
   text += "\n";
   for (const auto& point : result.points) {
     for (const double value : point.values) text += number(value) + ",";
     text += std::to_string(point.run.rows.size());
     for (const auto& [name, interval] : point.intervals) {
-      text += "," + number(value_of(point.run, name)) + "," + number(interval.low) + "," + number(interval.high);
+      text += "," + number(value_of(point.run, name)) + "," + number(interval.low) + "," +
+              number(interval.high);
     }
     text += "\n";
   }

@@ -32,14 +32,17 @@ std::uint8_t flag_mask(const Protocol& protocol) {
   return mask;
 }
 
-// Largest separation of two rectangles of one plane along any of their sides: at most their distance.
+// Largest separation of two rectangles of one plane along any of their sides: at most their
+// distance.
 double gap(const WorldFace& a, const WorldFace& b) {
   double largest = 0.0;
   const Eigen::Vector3d across_a = a.normal.cross(a.axis);
   const Eigen::Vector3d across_b = b.normal.cross(b.axis);
   for (const Eigen::Vector3d& axis : {a.axis, across_a, b.axis, across_b}) {
-    const double half_a = 0.5 * (a.size.x() * std::abs(axis.dot(a.axis)) + a.size.y() * std::abs(axis.dot(across_a)));
-    const double half_b = 0.5 * (b.size.x() * std::abs(axis.dot(b.axis)) + b.size.y() * std::abs(axis.dot(across_b)));
+    const double half_a =
+        0.5 * (a.size.x() * std::abs(axis.dot(a.axis)) + a.size.y() * std::abs(axis.dot(across_a)));
+    const double half_b =
+        0.5 * (b.size.x() * std::abs(axis.dot(b.axis)) + b.size.y() * std::abs(axis.dot(across_b)));
     largest = std::max(largest, std::abs(axis.dot(b.center - a.center)) - half_a - half_b);
   }
   return largest;
@@ -47,13 +50,16 @@ double gap(const WorldFace& a, const WorldFace& b) {
 
 bool one_plane(const SeenFace& a, const SeenFace& b, const Protocol& protocol, double cosine) {
   if (!a.planar || !b.planar || a.world.normal.dot(b.world.normal) < cosine) return false;
-  if (std::abs(a.world.normal.dot(b.world.center - a.world.center)) > protocol.plane_merge_offset) return false;
-  if (std::abs(b.world.normal.dot(b.world.center - a.world.center)) > protocol.plane_merge_offset) return false;
+  if (std::abs(a.world.normal.dot(b.world.center - a.world.center)) > protocol.plane_merge_offset)
+    return false;
+  if (std::abs(b.world.normal.dot(b.world.center - a.world.center)) > protocol.plane_merge_offset)
+    return false;
   return gap(a.world, b.world) <= protocol.plane_merge_gap;
 }
 
 // Planes out of the faces that have points; fills SeenFace::group.
-std::vector<PlaneTruth> group_faces(std::vector<SeenFace>& faces, const Scan& scan, const Scene* scene, const Protocol& protocol) {
+std::vector<PlaneTruth> group_faces(std::vector<SeenFace>& faces, const Scan& scan,
+                                    const Scene* scene, const Protocol& protocol) {
   std::vector<std::size_t> parent(faces.size());
   std::iota(parent.begin(), parent.end(), std::size_t{0});
   const auto root = [&](std::size_t i) {
@@ -123,12 +129,16 @@ std::vector<SeenFace> seen_faces(const Scan& scan, const Scene* scene) {
     if (const auto found = visible.find(id); found != visible.end()) face.visible = found->second;
     if (scene) {
       if (static_cast<std::size_t>(id) >= addresses.size()) {
-        fail_data("scan", "", "names face " + std::to_string(id) + ", the scene has " + std::to_string(addresses.size()),
+        fail_data("scan", "",
+                  "names face " + std::to_string(id) + ", the scene has " +
+                      std::to_string(addresses.size()),
                   "scan and scene do not belong together");
       }
       const auto& address = addresses[static_cast<std::size_t>(id)];
       const auto& instance = scene->instances[static_cast<std::size_t>(address.instance)];
-      face.planar = instance.parts[static_cast<std::size_t>(address.part)].faces[static_cast<std::size_t>(address.face)].planar;
+      face.planar = instance.parts[static_cast<std::size_t>(address.part)]
+                        .faces[static_cast<std::size_t>(address.face)]
+                        .planar;
       face.class_id = instance.class_id;
       if (face.planar) face.world = world_face(*scene, address);
     }
@@ -137,7 +147,8 @@ std::vector<SeenFace> seen_faces(const Scan& scan, const Scene* scene) {
   return faces;
 }
 
-// How much was seen of the best seen of an instance's large faces (at least a tenth of its largest). No visibility: 1.
+// How much was seen of the best seen of an instance's large faces (at least a tenth of its
+// largest). No visibility: 1.
 std::map<std::int32_t, double> instance_visibility(const Scan& scan, const Scene& scene) {
   std::map<std::int32_t, double> best;
   if (scan.visibility.empty()) return best;
@@ -146,7 +157,9 @@ std::map<std::int32_t, double> instance_visibility(const Scan& scan, const Scene
   std::map<std::int32_t, double> largest;
   const auto addresses = all_faces(scene);
   const auto face_of = [&](const FaceAddress& a) -> const Face& {
-    return scene.instances[static_cast<std::size_t>(a.instance)].parts[static_cast<std::size_t>(a.part)].faces[static_cast<std::size_t>(a.face)];
+    return scene.instances[static_cast<std::size_t>(a.instance)]
+        .parts[static_cast<std::size_t>(a.part)]
+        .faces[static_cast<std::size_t>(a.face)];
   };
   for (const auto& address : addresses) {
     double& area = largest[address.instance];
@@ -168,7 +181,9 @@ std::map<std::int32_t, double> instance_visibility(const Scan& scan, const Scene
 ScanTruth truth_of(const Scan& scan, const Scene* scene, const Protocol& protocol) {
   const std::size_t count = scan.truth.size();
   if (count != scan.cloud.size() && !scan.cloud.points.empty()) {
-    fail_data("scan", "", "has " + std::to_string(scan.cloud.size()) + " points and truth of " + std::to_string(count));
+    fail_data("scan", "",
+              "has " + std::to_string(scan.cloud.size()) + " points and truth of " +
+                  std::to_string(count));
   }
   const std::uint8_t mask = flag_mask(protocol);
   const bool has_face = scan.truth.face.size() == count;
@@ -202,12 +217,15 @@ ScanTruth truth_of(const Scan& scan, const Scene* scene, const Protocol& protoco
     }
   }
   for (auto& plane : truth.planes) {
-    plane.ignored = plane.ignored || plane.points < protocol.plane_min_points || plane.visible_fraction < protocol.plane_min_visible;
+    plane.ignored = plane.ignored || plane.points < protocol.plane_min_points ||
+                    plane.visible_fraction < protocol.plane_min_visible;
     truth.ignored_planes.push_back(plane.ignored ? 1 : 0);
   }
-  const auto visibility = scene ? instance_visibility(scan, *scene) : std::map<std::int32_t, double>{};
+  const auto visibility =
+      scene ? instance_visibility(scan, *scene) : std::map<std::int32_t, double>{};
   for (auto& [id, thing] : things) {
-    if (const auto found = visibility.find(id); found != visibility.end()) thing.visible_fraction = found->second;
+    if (const auto found = visibility.find(id); found != visibility.end())
+      thing.visible_fraction = found->second;
     thing.name = std::string(class_info(thing.class_id).name) + " " + std::to_string(id);
     const bool unseen = thing.visible_fraction < protocol.min_visible;
     thing.ignored = unseen || thing.points < protocol.min_points;

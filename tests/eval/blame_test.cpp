@@ -22,7 +22,8 @@ TEST(Blame, PerfectScanTakesTheNoiseOffAgain) {
   const Scan clean = perfect_scan(noisy);
   for (std::size_t i = 0; i < clean.cloud.size(); ++i) {
     if (i == 3) continue;
-    EXPECT_LT((clean.cloud.points[i] - made.scan.cloud.points[i]).norm(), 1e-6);  // true_range is float
+    EXPECT_LT((clean.cloud.points[i] - made.scan.cloud.points[i]).norm(),
+              1e-6);  // true_range is float
   }
   EXPECT_EQ(clean.cloud.points[3], ghost);
 }
@@ -64,7 +65,8 @@ TEST(Blame, PerfectShapesAreThoseOfTheFaces) {
 TEST(Blame, LossesAddUpToOne) {
   BlameResult result;
   double recall = 0.5;
-  for (const auto stage : {PerfectUpTo::nothing, PerfectUpTo::scan, PerfectUpTo::planes, PerfectUpTo::shapes, PerfectUpTo::labels}) {
+  for (const auto stage : {PerfectUpTo::nothing, PerfectUpTo::scan, PerfectUpTo::planes,
+                           PerfectUpTo::shapes, PerfectUpTo::labels}) {
     BlameRow row;
     row.perfect = stage;
     row.score.protocol = protocol_stamp(result.protocol);

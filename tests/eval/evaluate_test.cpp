@@ -6,7 +6,9 @@ namespace scanchor {
 namespace {
 
 TEST(Evaluate, WordsOfAnOntologyMeanClasses) {
-  const auto is = [](const char* word, const char* name) { return class_of_label(word) == find_class(name); };
+  const auto is = [](const char* word, const char* name) {
+    return class_of_label(word) == find_class(name);
+  };
   EXPECT_TRUE(is("desk", "desk"));
   EXPECT_TRUE(is("screen", "monitor"));
   EXPECT_TRUE(is("standing desk", "desk"));
@@ -16,14 +18,16 @@ TEST(Evaluate, WordsOfAnOntologyMeanClasses) {
 }
 
 TEST(Evaluate, PartsAndAbstentionsMeanNone) {
-  for (const char* word : {"unknown", "ambiguous", "board", "shelf board", "seat", "table top", "unlabelled", ""}) {
+  for (const char* word :
+       {"unknown", "ambiguous", "board", "shelf board", "seat", "table top", "unlabelled", ""}) {
     EXPECT_FALSE(class_of_label(word).has_value()) << word;
   }
 }
 
 TEST(Evaluate, EverySynonymIsOfAClassAndNoClass) {
-  for (const char* word : {"screen", "display", "tv", "couch", "cupboard", "carton", "bin", "column", "heater", "bookshelf", "rack", "blackboard",
-                           "painting", "closet", "cart", "ground"}) {
+  for (const char* word :
+       {"screen", "display", "tv", "couch", "cupboard", "carton", "bin", "column", "heater",
+        "bookshelf", "rack", "blackboard", "painting", "closet", "cart", "ground"}) {
     EXPECT_TRUE(class_of_label(word).has_value()) << word;
     EXPECT_FALSE(find_class(word).has_value()) << word;
   }
@@ -61,7 +65,8 @@ Labelling group_of_two() {
 TEST(Evaluate, AGroupOwnsThePointsOfItsMembers) {
   const PointPrediction p = predict_points(three_surfaces(), group_of_two());
   const auto shelf = *find_class("shelf");
-  EXPECT_EQ(p.class_id, (std::vector<std::int32_t>{shelf, shelf, shelf, shelf, unlabelled, unlabelled}));
+  EXPECT_EQ(p.class_id,
+            (std::vector<std::int32_t>{shelf, shelf, shelf, shelf, unlabelled, unlabelled}));
   EXPECT_EQ(p.instance, (std::vector<std::int32_t>{3, 3, 3, 3, -1, -1}));
   EXPECT_EQ(p.plane, (std::vector<std::int32_t>{0, 0, 1, 1, 2, -1}));
   EXPECT_FLOAT_EQ(p.confidence[0], 0.8F);

@@ -42,13 +42,16 @@ TEST(GateReport, JunitCountsAndEscapes) {
 
 TEST(GateReport, MarkdownIsATable) {
   const auto text = gate_to_markdown(example());
-  EXPECT_THAT(text, testing::HasSubstr("| objects.f1 | 80.00 | 77.00 | -3.00 | -4.00 .. -2.00 | 0.0020 | regressed |"));
+  EXPECT_THAT(text,
+              testing::HasSubstr(
+                  "| objects.f1 | 80.00 | 77.00 | -3.00 | -4.00 .. -2.00 | 0.0020 | regressed |"));
   EXPECT_THAT(text, testing::HasSubstr("| desk | 90.00 | 80.00 | -10.00 |"));
 }
 
 TEST(GateReport, TextNamesClassMetricSceneAndInterval) {
   const auto text = gate_to_text(example());
-  for (const char* part : {"regressed over 100 scenes", "objects.f1: 80.00 -> 77.00", "[-4.00 .. -2.00]", "class desk", "scene 017"}) {
+  for (const char* part : {"regressed over 100 scenes", "objects.f1: 80.00 -> 77.00",
+                           "[-4.00 .. -2.00]", "class desk", "scene 017"}) {
     EXPECT_THAT(text, testing::HasSubstr(part));
   }
 }

@@ -13,8 +13,9 @@ namespace {
 
 constexpr ClassId desk = 8, chair = 12;
 
-// A synthetic run: scenes of 40 things whose difficulty differs by 15 points between scenes, and a pipeline whose own luck moves a
-// scene by 4 points (the figures of the experiment in the design notes). `recall` shifts all scenes; `luck` is the pipeline's seed.
+// A synthetic run: scenes of 40 things whose difficulty differs by 15 points between scenes, and a
+// pipeline whose own luck moves a scene by 4 points (the figures of the experiment in the design
+// notes). `recall` shifts all scenes; `luck` is the pipeline's seed.
 RunResult synthetic(int scenes, double recall, std::uint64_t luck, const Protocol& protocol = {}) {
   RunResult run;
   run.suite = "synthetic";
@@ -28,7 +29,8 @@ RunResult synthetic(int scenes, double recall, std::uint64_t luck, const Protoco
     row.name = std::to_string(i);
     row.seed = static_cast<std::uint64_t>(i);
     const auto u = static_cast<std::uint64_t>(i);
-    const double rate = std::clamp(recall + 0.15 * difficulty.normal(u) + 0.04 * own.normal(u), 0.0, 1.0);
+    const double rate =
+        std::clamp(recall + 0.15 * difficulty.normal(u) + 0.04 * own.normal(u), 0.0, 1.0);
     row.score.protocol = protocol_stamp(protocol);
     row.score.data = run.data;
     row.score.scans = 1;
@@ -60,15 +62,20 @@ int alarms(int scenes, double drop, int trials) {
     const auto seed = static_cast<std::uint64_t>(t);
     GateOptions options = quick();
     options.class_details = false;
-    const auto report = compare_runs(synthetic(scenes, 0.7, 2 * seed), synthetic(scenes, 0.7 - drop, 2 * seed + 1), options);
+    const auto report = compare_runs(synthetic(scenes, 0.7, 2 * seed),
+                                     synthetic(scenes, 0.7 - drop, 2 * seed + 1), options);
     count += report.verdict == Verdict::regressed;
   }
   return count;
 }
 
-TEST(Gate, RaisesFewAlarmsWhenNothingChanged) { EXPECT_LE(alarms(100, 0.0, 120), 6); }       // 5 % of 120
-TEST(Gate, CatchesTwoPointsWithHundredScenes) { EXPECT_GE(alarms(100, 0.02, 60), 57); }       // 95 %
-TEST(Gate, CatchesOnePointWithTwoHundredScenes) { EXPECT_GE(alarms(200, 0.01, 60), 43); }     // 80 % - 2 standard deviations
+TEST(Gate, RaisesFewAlarmsWhenNothingChanged) {
+  EXPECT_LE(alarms(100, 0.0, 120), 6);
+}  // 5 % of 120
+TEST(Gate, CatchesTwoPointsWithHundredScenes) { EXPECT_GE(alarms(100, 0.02, 60), 57); }  // 95 %
+TEST(Gate, CatchesOnePointWithTwoHundredScenes) {
+  EXPECT_GE(alarms(200, 0.01, 60), 43);
+}  // 80 % - 2 standard deviations
 
 TEST(Gate, SameRunIsNotWorseAndNothingIsDrawn) {
   const RunResult run = synthetic(20, 0.7, 1);
@@ -158,12 +165,15 @@ TEST(Gate, GoesOnToMoreScenesWhileInconclusive) {
 TEST(Gate, AnswersAtTheFirstLookWhenNothingMoved) {
   const RunResult baseline = synthetic(200, 0.7, 2);
   int asked = 0;
-  const auto report = check_against(baseline, [&](int scenes) {
-    ++asked;
-    RunResult part = baseline;
-    part.rows.resize(static_cast<std::size_t>(scenes));
-    return part;
-  }, quick());
+  const auto report = check_against(
+      baseline,
+      [&](int scenes) {
+        ++asked;
+        RunResult part = baseline;
+        part.rows.resize(static_cast<std::size_t>(scenes));
+        return part;
+      },
+      quick());
   EXPECT_EQ(asked, 1);
   EXPECT_EQ(report.verdict, Verdict::not_worse);
 }

@@ -58,7 +58,8 @@ TEST(Geometry, KnownErrorsComeBack) {
   ASSERT_FALSE(surfaces.surfaces.empty());
   Surface& surface = surfaces.surfaces[0];
   const PlaneTruth& plane = truth.planes[static_cast<std::size_t>(truth.plane[surface.inliers[0]])];
-  surface.plane.normal = Eigen::AngleAxisd(radians(2.0), plane.normal.unitOrthogonal()) * -plane.normal;
+  surface.plane.normal =
+      Eigen::AngleAxisd(radians(2.0), plane.normal.unitOrthogonal()) * -plane.normal;
   surface.plane.centroid = plane.normal * (plane.offset + 0.01);
   surface.plane.centroid_sigma = 0.002;
   surface.polygons.resize(1);
@@ -68,7 +69,9 @@ TEST(Geometry, KnownErrorsComeBack) {
   PlaneMatch match;
   score_planes(truth.plane, truth.ignored_planes, surfaces.plane_of_point, protocol, &match);
   const GeometryScore score = score_geometry(truth, match, surfaces, made.scan, protocol);
-  const auto worst = [](const ErrorStats& stats) { return stats.mean() * static_cast<double>(stats.count); };
+  const auto worst = [](const ErrorStats& stats) {
+    return stats.mean() * static_cast<double>(stats.count);
+  };
   EXPECT_NEAR(worst(score.normal_deg), 2.0, 1e-6);
   EXPECT_NEAR(worst(score.offset), 0.01, 1e-9);
   EXPECT_EQ(score.offset.covered, score.offset.with_interval - 1);  // 5 sigma off

@@ -29,7 +29,9 @@ Segments segments_of(const Masks& masks, int points, const Protocol& protocol) {
   std::vector<std::int32_t> tc(static_cast<std::size_t>(points), 0), ti(tc), sc(tc), si(tc);
   std::vector<float> confidence(tc.size(), 0.0F);
   for (std::size_t k = 0; k < masks.truths.size(); ++k) {
-    for (const int i : masks.truths[k]) tc[static_cast<std::size_t>(i)] = 1, ti[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(k);
+    for (const int i : masks.truths[k])
+      tc[static_cast<std::size_t>(i)] = 1,
+      ti[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(k);
   }
   for (std::size_t k = 0; k < masks.claims.size(); ++k) {
     for (const int i : masks.claims[k]) {
@@ -53,8 +55,8 @@ double iou(const std::set<int>& a, const std::set<int>& b) {
   return both / (static_cast<double>(a.size() + b.size()) - both);
 }
 
-// Points that belong to a truth of no class would be void; here every point that no truth has belongs to a scored background thing, so
-// that both implementations count the same union.
+// Points that belong to a truth of no class would be void; here every point that no truth has
+// belongs to a scored background thing, so that both implementations count the same union.
 Protocol plain(const char* name) {
   Protocol protocol = find_protocol(name);
   protocol.min_points = 0;
@@ -71,9 +73,10 @@ TEST(Instances, ByHand) {
   const Protocol coco = plain("coco");
   const auto score = score_instances(segments_of(masks, 300, coco), two_classes(), coco);
   // The last claim lies on no truth at all: void, so it is ignored by the half rule.
-  EXPECT_NEAR(average_precision(score.classes[1], 0, coco), 1.0, 1e-12);                     // 0.25
-  EXPECT_NEAR(average_precision(score.classes[1], 1, coco), 1.0, 1e-12);                     // 0.50
-  EXPECT_NEAR(average_precision(score.classes[1], 4, coco), 51.0 / 101.0, 1e-12);            // 0.65: recall stops at 1/2
+  EXPECT_NEAR(average_precision(score.classes[1], 0, coco), 1.0, 1e-12);  // 0.25
+  EXPECT_NEAR(average_precision(score.classes[1], 1, coco), 1.0, 1e-12);  // 0.50
+  EXPECT_NEAR(average_precision(score.classes[1], 4, coco), 51.0 / 101.0,
+              1e-12);  // 0.65: recall stops at 1/2
 }
 
 TEST(Instances, FalseClaimAboveATrueOneCostsPrecision) {
@@ -85,7 +88,8 @@ TEST(Instances, FalseClaimAboveATrueOneCostsPrecision) {
   const auto score = score_instances(segments_of(masks, 200, coco), two_classes(), coco);
   EXPECT_NEAR(average_precision(score.classes[1], 1, coco), 0.5 * 51.0 / 101.0, 1e-12);
   const Protocol scannet = plain("scannet");
-  // Curve from the sure end: (0, 1), (0, 0), (0.5, 0.5); convolution: 1 * 0 + 0 * 0.25 + 0.5 * 0.25.
+  // Curve from the sure end: (0, 1), (0, 0), (0.5, 0.5); convolution: 1 * 0 + 0 * 0.25 + 0.5 *
+  // 0.25.
   const auto other = score_instances(segments_of(masks, 200, scannet), two_classes(), scannet);
   EXPECT_NEAR(average_precision(other.classes[1], 1, scannet), 0.125, 1e-12);
 }
@@ -107,8 +111,8 @@ TEST(Instances, ClassWithoutTruthIsLeftOutOfTheMean) {
   EXPECT_EQ(mean_average_precision(score, two_classes(), coco), 0.0);
 }
 
-// Second implementation of COCO's rules for claims on many scans, from the definition: precision at recall r is the best precision at any
-// recall of at least r.
+// Second implementation of COCO's rules for claims on many scans, from the definition: precision at
+// recall r is the best precision at any recall of at least r.
 double coco_by_definition(const std::vector<Masks>& scans, double threshold) {
   struct Claim {
     float confidence;
@@ -120,7 +124,8 @@ double coco_by_definition(const std::vector<Masks>& scans, double threshold) {
     truths += static_cast<double>(masks.truths.size());
     std::vector<std::size_t> order;
     for (std::size_t k = 0; k < masks.claims.size(); ++k) order.push_back(k);
-    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return masks.confidence[a] > masks.confidence[b]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](auto a, auto b) { return masks.confidence[a] > masks.confidence[b]; });
     std::set<std::size_t> taken;
     for (const auto k : order) {
       double best = 0;
@@ -133,13 +138,15 @@ double coco_by_definition(const std::vector<Masks>& scans, double threshold) {
       all.push_back({masks.confidence[k], found < masks.truths.size()});
     }
   }
-  std::stable_sort(all.begin(), all.end(), [](const Claim& a, const Claim& b) { return a.confidence > b.confidence; });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Claim& a, const Claim& b) { return a.confidence > b.confidence; });
   double area = 0;
   for (int step = 0; step <= 100; ++step) {
     double best = 0, right = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
       right += all[i].right;
-      if (right / truths >= 0.01 * step - 1e-12) best = std::max(best, right / static_cast<double>(i + 1));
+      if (right / truths >= 0.01 * step - 1e-12)
+        best = std::max(best, right / static_cast<double>(i + 1));
     }
     area += best / 101.0;
   }
@@ -168,7 +175,9 @@ TEST(Instances, AgreesWithASecondImplementationOverManyScans) {
     }
     const auto levels = ap_levels(coco);
     for (std::size_t i = 0; i < levels.size(); ++i) {
-      EXPECT_NEAR(average_precision(pooled.classes[1], i, coco), coco_by_definition(scans, levels[i]), 1e-9) << "seed " << seed << " IoU " << levels[i];
+      EXPECT_NEAR(average_precision(pooled.classes[1], i, coco),
+                  coco_by_definition(scans, levels[i]), 1e-9)
+          << "seed " << seed << " IoU " << levels[i];
     }
   }
 }

@@ -15,7 +15,9 @@ struct Case {
   Protocol protocol;
   ScanTruth truth = truth_of(made.scan, &made.scene, protocol);
   PointPrediction said = perfect_prediction(truth);
-  [[nodiscard]] ObjectSummary summary(std::vector<ClassId> described = {}) const { return summarize_objects(truth, said, protocol, described); }
+  [[nodiscard]] ObjectSummary summary(std::vector<ClassId> described = {}) const {
+    return summarize_objects(truth, said, protocol, described);
+  }
   // All points of an instance, or of one of its planes, are said to be something else.
   void rename(std::int32_t instance, const char* name, std::int32_t entity) {
     for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -47,7 +49,8 @@ TEST(Objects, AThingIsFoundByItsTopAlone) {
   // The desk's front is said to be nothing: the top has more than a quarter of the points.
   for (std::size_t i = 0; i < c.truth.size(); ++i) {
     if (c.truth.instance[i] != 2) continue;
-    if (c.truth.planes[static_cast<std::size_t>(c.truth.plane[i])].normal.z() < 0.9) c.said.class_id[i] = unlabelled;
+    if (c.truth.planes[static_cast<std::size_t>(c.truth.plane[i])].normal.z() < 0.9)
+      c.said.class_id[i] = unlabelled;
   }
   const auto summary = c.summary();
   EXPECT_EQ(thing(summary, "desk").status, ThingStatus::found);
@@ -71,7 +74,9 @@ TEST(Objects, CalledSomethingElseIsMissedAndWrong) {
 TEST(Objects, TwoClaimsOnOneThingAreOneFoundOneRepeated) {
   Case c;
   for (std::size_t i = 0; i < c.truth.size(); ++i) {
-    if (c.truth.instance[i] == 2 && c.truth.planes[static_cast<std::size_t>(c.truth.plane[i])].normal.z() < 0.9) c.said.instance[i] = 50;
+    if (c.truth.instance[i] == 2 &&
+        c.truth.planes[static_cast<std::size_t>(c.truth.plane[i])].normal.z() < 0.9)
+      c.said.instance[i] = 50;
   }
   const auto counts = c.summary().score.classes[static_cast<std::size_t>(*find_class("desk"))];
   EXPECT_EQ(counts.found, 1);
@@ -85,7 +90,8 @@ TEST(Objects, AClaimAcrossTwoThingsFindsNeither) {
   c.rename(3, "desk", 9);
   std::size_t floor = 0;
   for (std::size_t i = 0; i < c.truth.size() && floor < 3000; ++i) {
-    if (c.truth.instance[i] == 1) c.said.class_id[i] = *find_class("desk"), c.said.instance[i] = 9, ++floor;
+    if (c.truth.instance[i] == 1)
+      c.said.class_id[i] = *find_class("desk"), c.said.instance[i] = 9, ++floor;
   }
   EXPECT_EQ(thing(c.summary(), "desk").status, ThingStatus::missed);
 }

@@ -34,11 +34,13 @@ ClassRules rules_of(int classes, std::set<int> things) {
 }
 
 Segments segments_of(const Rows& rows, const ClassRules& rules, const Protocol& protocol) {
-  return make_segments({rows.truth_class, rows.truth_instance}, {rows.said_class, rows.said_instance}, {}, {}, rules, protocol);
+  return make_segments({rows.truth_class, rows.truth_instance},
+                       {rows.said_class, rows.said_instance}, {}, {}, rules, protocol);
 }
 
-// The example at the end of semantic-kitti-api's auxiliary/eval_np.py, itself after Kirillov et al.: one segment each of grass (1) and
-// sky (2), a dog (4) taken for a person (3), and three persons of which two are found.
+// The example at the end of semantic-kitti-api's auxiliary/eval_np.py, itself after Kirillov et
+// al.: one segment each of grass (1) and sky (2), a dog (4) taken for a person (3), and three
+// persons of which two are found.
 TEST(Panoptic, GivesTheNumbersOfSemanticKittisOwnExample) {
   Rows rows;
   rows.add(50, 0, 0, 0, 0);
@@ -72,8 +74,12 @@ TEST(Panoptic, AbsentClassCountsZeroForSemanticKittiAndNotForCoco) {
   const ClassRules rules = rules_of(5, {3, 4});
   const Protocol kitti = find_protocol("semantickitti");
   const Protocol coco = find_protocol("coco");
-  EXPECT_NEAR(panoptic_quality(score_panoptic(segments_of(rows, rules, kitti), rules, kitti), ClassKind::all, rules, kitti).pq, 0.25, 1e-9);
-  const auto q = panoptic_quality(score_panoptic(segments_of(rows, rules, coco), rules, coco), ClassKind::all, rules, coco);
+  EXPECT_NEAR(panoptic_quality(score_panoptic(segments_of(rows, rules, kitti), rules, kitti),
+                               ClassKind::all, rules, kitti)
+                  .pq,
+              0.25, 1e-9);
+  const auto q = panoptic_quality(score_panoptic(segments_of(rows, rules, coco), rules, coco),
+                                  ClassKind::all, rules, coco);
   EXPECT_NEAR(q.pq, 1.0, 1e-9);
   EXPECT_EQ(q.classes, 1);
 }
@@ -94,8 +100,8 @@ TEST(Panoptic, ClaimMostlyOnVoidIsNeitherRightNorWrongForCoco) {
 
 TEST(Panoptic, SmallTruthIsIgnoredOnBothSides) {
   Rows rows;
-  rows.add(20, 3, 1, 0, -1);   // small and missed
-  rows.add(20, 3, 2, 3, 2);    // small and found
+  rows.add(20, 3, 1, 0, -1);  // small and missed
+  rows.add(20, 3, 2, 3, 2);   // small and found
   rows.add(200, 3, 3, 3, 3);
   const ClassRules rules = rules_of(4, {3});
   Protocol protocol;
@@ -104,10 +110,12 @@ TEST(Panoptic, SmallTruthIsIgnoredOnBothSides) {
   EXPECT_EQ(score.classes[3].missed, 0);
   EXPECT_EQ(score.classes[3].extra, 0);
   protocol.small = "unpunished";  // SemanticKITTI: a small match still counts
-  EXPECT_EQ(score_panoptic(segments_of(rows, rules, protocol), rules, protocol).classes[3].matched, 2);
+  EXPECT_EQ(score_panoptic(segments_of(rows, rules, protocol), rules, protocol).classes[3].matched,
+            2);
 }
 
-// A second implementation that shares nothing with the first: sets of points, straight from the definition.
+// A second implementation that shares nothing with the first: sets of points, straight from the
+// definition.
 PanopticQuality by_sets(const Rows& rows, const ClassRules& rules, bool kitti, int min_points) {
   double pq = 0, sq = 0, rq = 0;
   int classes = 0;
@@ -131,8 +139,10 @@ PanopticQuality by_sets(const Rows& rows, const ClassRules& rules, bool kitti, i
       for (const auto& [p, said] : claims) {
         double both = 0, only = 0;
         for (const int i : said) {
-          if (points.count(i)) both += 1;
-          else if (kitti || !void_points.count(i)) only += 1;
+          if (points.count(i))
+            both += 1;
+          else if (kitti || !void_points.count(i))
+            only += 1;
         }
         const double iou = both / (static_cast<double>(points.size()) + only);
         if (iou <= 0.5) continue;
@@ -146,7 +156,8 @@ PanopticQuality by_sets(const Rows& rows, const ClassRules& rules, bool kitti, i
     for (const auto& [p, said] : claims) {
       double nothing = 0;
       for (const int i : said) nothing += void_points.count(i) ? 1 : 0;
-      const bool out = kitti ? static_cast<int>(said.size()) < min_points : nothing / static_cast<double>(said.size()) > 0.5;
+      const bool out = kitti ? static_cast<int>(said.size()) < min_points
+                             : nothing / static_cast<double>(said.size()) > 0.5;
       if (!matched_claims.count(p) && !out) fp += 1;
     }
     if (tp + fp + fn == 0) {
@@ -172,12 +183,15 @@ TEST(Panoptic, AgreesWithASecondImplementationOnRandomLabels) {
       const bool right = random.chance(0.7);
       const int said = right ? truth : static_cast<int>(random.below(6));
       const int instance = static_cast<int>(random.below(4));
-      rows.add(1 + static_cast<int>(random.below(12)), truth, truth >= 3 ? instance : 0, said, right ? instance : static_cast<int>(random.below(4)));
+      rows.add(1 + static_cast<int>(random.below(12)), truth, truth >= 3 ? instance : 0, said,
+               right ? instance : static_cast<int>(random.below(4)));
     }
     for (const bool kitti : {false, true}) {
       Protocol protocol = find_protocol(kitti ? "semantickitti" : "coco");
       protocol.min_points = kitti ? 10 : 0;
-      const auto q = panoptic_quality(score_panoptic(segments_of(rows, rules, protocol), rules, protocol), ClassKind::all, rules, protocol);
+      const auto q =
+          panoptic_quality(score_panoptic(segments_of(rows, rules, protocol), rules, protocol),
+                           ClassKind::all, rules, protocol);
       const auto expected = by_sets(rows, rules, kitti, protocol.min_points);
       EXPECT_NEAR(q.pq, expected.pq, 1e-9) << "seed " << seed << (kitti ? " kitti" : " coco");
       EXPECT_NEAR(q.sq, expected.sq, 1e-9);

@@ -25,17 +25,18 @@ Protocol one_tolerance(double tolerance) {
   return protocol;
 }
 
-HooverCounts at(const Rows& rows, double tolerance, std::size_t planes, PlaneMatch* match = nullptr) {
+HooverCounts at(const Rows& rows, double tolerance, std::size_t planes,
+                PlaneMatch* match = nullptr) {
   const std::vector<char> ignored(planes, 0);
   return score_planes(rows.truth, ignored, rows.said, one_tolerance(tolerance), match).hoover[0];
 }
 
 TEST(Planes, FiveClassesByHand) {
   Rows rows;
-  rows.add(90, 0, 0);   // correct: 90 of 100 in a region of 95
+  rows.add(90, 0, 0);  // correct: 90 of 100 in a region of 95
   rows.add(5, 1, 0);
   rows.add(10, 0, -1);
-  rows.add(50, 1, 1);   // in two pieces: 50 and 45 of 100
+  rows.add(50, 1, 1);  // in two pieces: 50 and 45 of 100
   rows.add(45, 1, 2);
   rows.add(100, 2, 3);  // two truths run together
   rows.add(80, 3, 3);
@@ -67,7 +68,8 @@ TEST(Planes, StricterToleranceFindsLess) {
 }
 
 TEST(Planes, OfTwoReadingsTheLargerAverageHolds) {
-  // 80 % of the truth is one region, 18 % a second one: correct measures (0.8 + 1) / 2, over-segmentation (0.98 + 1) / 2.
+  // 80 % of the truth is one region, 18 % a second one: correct measures (0.8 + 1) / 2,
+  // over-segmentation (0.98 + 1) / 2.
   Rows rows;
   rows.add(80, 0, 0);
   rows.add(18, 0, 1);
@@ -83,11 +85,13 @@ TEST(Planes, EveryTruthAndRegionIsInExactlyOneClass) {
     Rows rows;
     for (int i = 0; i < 40; ++i) {
       const int t = static_cast<int>(random.below(12));
-      rows.add(1 + static_cast<int>(random.below(60)), t, random.chance(0.6) ? t : static_cast<int>(random.below(14)) - 1);
+      rows.add(1 + static_cast<int>(random.below(60)), t,
+               random.chance(0.6) ? t : static_cast<int>(random.below(14)) - 1);
     }
     const std::vector<char> ignored(12, 0);
     for (const double tolerance : {0.51, 0.7, 0.95}) {
-      const PlaneScore score = score_planes(rows.truth, ignored, rows.said, one_tolerance(tolerance));
+      const PlaneScore score =
+          score_planes(rows.truth, ignored, rows.said, one_tolerance(tolerance));
       const auto& h = score.hoover[0];
       EXPECT_EQ(h.correct + h.truth_over + h.truth_under + h.missed, score.truths);
       EXPECT_EQ(h.correct + h.regions_over + h.regions_under + h.noise, score.regions);
@@ -98,8 +102,8 @@ TEST(Planes, EveryTruthAndRegionIsInExactlyOneClass) {
 TEST(Planes, IgnoredTruthCountsOnNeitherSide) {
   Rows rows;
   rows.add(100, 0, 0);
-  rows.add(40, 1, 1);    // ignored, found
-  rows.add(30, -1, 2);   // no plane at all
+  rows.add(40, 1, 1);   // ignored, found
+  rows.add(30, -1, 2);  // no plane at all
   const std::vector<char> ignored = {0, 1};
   const PlaneScore score = score_planes(rows.truth, ignored, rows.said, one_tolerance(0.8));
   EXPECT_EQ(score.truths, 1);
@@ -109,7 +113,8 @@ TEST(Planes, IgnoredTruthCountsOnNeitherSide) {
 }
 
 TEST(Planes, AdjustedNumbersPairOneToOne) {
-  // One region over two planes: each keeps at most one partner, so a segmenter that joins everything does not win.
+  // One region over two planes: each keeps at most one partner, so a segmenter that joins
+  // everything does not win.
   Rows rows;
   rows.add(60, 0, 0);
   rows.add(40, 1, 0);
@@ -128,7 +133,8 @@ TEST(Planes, SmallPlanesHaveARecallOfTheirOwn) {
   const std::vector<char> ignored = {0, 0};
   Protocol protocol = one_tolerance(0.8);
   protocol.small_plane_share = 0.02;
-  EXPECT_NEAR(small_plane_recall(score_planes(rows.truth, ignored, rows.said, protocol)), 0.6, 1e-9);
+  EXPECT_NEAR(small_plane_recall(score_planes(rows.truth, ignored, rows.said, protocol)), 0.6,
+              1e-9);
 }
 
 TEST(Planes, RandIndicesAgreeWithLookingAtEveryPair) {
@@ -155,7 +161,8 @@ TEST(Planes, RandIndicesAgreeWithLookingAtEveryPair) {
     const PlaneScore score = score_planes(rows.truth, ignored, rows.said, one_tolerance(0.8));
     EXPECT_NEAR(rand_index(score), agree / pairs, 1e-12);
     const double expected = in_truth * in_said / pairs;
-    EXPECT_NEAR(adjusted_rand_index(score), (both - expected) / (0.5 * (in_truth + in_said) - expected), 1e-9);
+    EXPECT_NEAR(adjusted_rand_index(score),
+                (both - expected) / (0.5 * (in_truth + in_said) - expected), 1e-9);
   }
 }
 

@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 
 class Predictions : public testing::Test {
  protected:
-  fs::path folder = fs::temp_directory_path() / ("scanchor-predictions-" + std::to_string(getpid()));
+  fs::path folder =
+      fs::temp_directory_path() / ("scanchor-predictions-" + std::to_string(getpid()));
   void SetUp() override { fs::create_directories(folder); }
   void TearDown() override { fs::remove_all(folder); }
   fs::path put(const std::string& name, const std::string& text) {
@@ -35,7 +36,8 @@ class Predictions : public testing::Test {
     }
     return bytes;
   }
-  static std::string failure(const fs::path& path, std::size_t points, const PredictionOptions& options = {}) {
+  static std::string failure(const fs::path& path, std::size_t points,
+                             const PredictionOptions& options = {}) {
     try {
       read_prediction(path, points, options);
     } catch (const Error& error) {
@@ -63,22 +65,28 @@ TEST_F(Predictions, LabelFilesComeBack) {
 }
 
 TEST_F(Predictions, WrongNumberOfRows) {
-  EXPECT_THAT(failure(put("a.label", rows({8, 8})), 3), AllOf(HasSubstr("has 2 rows, the scan has 3 points"), HasSubstr("every point needs a row")));
+  EXPECT_THAT(
+      failure(put("a.label", rows({8, 8})), 3),
+      AllOf(HasSubstr("has 2 rows, the scan has 3 points"), HasSubstr("every point needs a row")));
   EXPECT_THAT(failure(put("a.label", rows({8, 8})), 1), HasSubstr("another scan"));
   EXPECT_THAT(failure(put("a.label", "abcde"), 1), HasSubstr("ends within a row"));
 }
 
 TEST_F(Predictions, WrongLabelMap) {
-  EXPECT_THAT(failure(put("a.label", rows({8, 252})), 2), AllOf(HasSubstr("point 1"), HasSubstr("label 252"), HasSubstr("--label-map")));
+  EXPECT_THAT(failure(put("a.label", rows({8, 252})), 2),
+              AllOf(HasSubstr("point 1"), HasSubstr("label 252"), HasSubstr("--label-map")));
   PredictionOptions options;
   options.label_map = {{252, 8}};
-  EXPECT_EQ(read_prediction(put("a.label", rows({0, 252})), 2, options).class_id, (std::vector<std::int32_t>{0, 8}));
-  EXPECT_THAT(failure(put("a.label", rows({252, 30})), 2, options), HasSubstr("label 30 is not in the label map"));
+  EXPECT_EQ(read_prediction(put("a.label", rows({0, 252})), 2, options).class_id,
+            (std::vector<std::int32_t>{0, 8}));
+  EXPECT_THAT(failure(put("a.label", rows({252, 30})), 2, options),
+              HasSubstr("label 30 is not in the label map"));
 }
 
 TEST_F(Predictions, LabelMapsAreReadByName) {
   using Map = std::vector<std::pair<std::int32_t, std::int32_t>>;
-  EXPECT_EQ(read_label_map(put("m.yaml", "labels:\n  0: unlabeled\n  52: desk\n  60: screen\n")), (Map{{0, 0}, {52, 8}, {60, 21}}));
+  EXPECT_EQ(read_label_map(put("m.yaml", "labels:\n  0: unlabeled\n  52: desk\n  60: screen\n")),
+            (Map{{0, 0}, {52, 8}, {60, 21}}));
   const auto fails = [&](const char* text) {
     try {
       read_label_map(put("m.yaml", text));
@@ -87,7 +95,8 @@ TEST_F(Predictions, LabelMapsAreReadByName) {
     }
     return std::string("no error");
   };
-  EXPECT_THAT(fails("1: desk\n2: dexk\n"), AllOf(HasSubstr("line 2"), HasSubstr("did you mean 'desk'?")));
+  EXPECT_THAT(fails("1: desk\n2: dexk\n"),
+              AllOf(HasSubstr("line 2"), HasSubstr("did you mean 'desk'?")));
   EXPECT_THAT(fails("1: desk\n1: chair\n"), HasSubstr("twice"));
   EXPECT_THAT(fails("desk: 1\n"), HasSubstr("whole number"));
 }
@@ -115,14 +124,18 @@ TEST_F(Predictions, NanAndFractionsAreNoLabels) {
   cloud.points.resize(2, Eigen::Vector3d::Zero());
   cloud.set({"label", std::vector<float>{8.0F, std::nanf("")}});
   write_cloud(folder / "c.ply", cloud);
-  EXPECT_THAT(failure(folder / "c.ply", 2), AllOf(HasSubstr("point 1"), HasSubstr("whole numbers")));
+  EXPECT_THAT(failure(folder / "c.ply", 2),
+              AllOf(HasSubstr("point 1"), HasSubstr("whole numbers")));
   cloud.set({"label", std::vector<float>{8.5F, 0.0F}});
   write_cloud(folder / "c.ply", cloud);
   EXPECT_THAT(failure(folder / "c.ply", 2), HasSubstr("point 0"));
 }
 
 TEST_F(Predictions, ObjectsOfJson) {
-  const auto p = read_prediction(put("a.json", R"({"objects": [{"id": 3, "class": "screen", "probability": 0.75, "points": [1, 2]}]})"), 4);
+  const auto p = read_prediction(
+      put("a.json",
+          R"({"objects": [{"id": 3, "class": "screen", "probability": 0.75, "points": [1, 2]}]})"),
+      4);
   EXPECT_EQ(p.class_id, (std::vector<std::int32_t>{0, 21, 21, 0}));
   EXPECT_EQ(p.instance, (std::vector<std::int32_t>{-1, 3, 3, -1}));
   EXPECT_FLOAT_EQ(p.confidence[1], 0.75F);
@@ -130,15 +143,24 @@ TEST_F(Predictions, ObjectsOfJson) {
 
 TEST_F(Predictions, BrokenJsonIsNamed) {
   const auto fails = [&](const char* text) { return failure(put("a.json", text), 4); };
-  EXPECT_THAT(fails(R"({"objects": [{"id": 3, "class": "desk", "points": [1]}, {"id": 3, "class": "desk", "points": [2]}]})"),
-              HasSubstr("objects[1].id: is the id of two objects"));
-  EXPECT_THAT(fails(R"({"objects": [{"class": "desk", "points": [1]}, {"class": "desk", "points": [1]}]})"), HasSubstr("belongs to two objects"));
-  EXPECT_THAT(fails(R"({"objects": [{"class": "desk", "points": [9]}]})"), HasSubstr("the scan has 4"));
-  EXPECT_THAT(fails(R"({"objects": [{"class": "desc", "points": [1]}]})"), HasSubstr("did you mean 'desk'?"));
-  EXPECT_THAT(fails(R"({"objects": [{"class": "desk", "points": 12}]})"), HasSubstr("list of point indices"));
-  EXPECT_THAT(fails(R"({"objects": [{"class": "desk", "probability": 2, "points": [1]}]})"), HasSubstr("0 .. 1"));
+  EXPECT_THAT(
+      fails(
+          R"({"objects": [{"id": 3, "class": "desk", "points": [1]}, {"id": 3, "class": "desk", "points": [2]}]})"),
+      HasSubstr("objects[1].id: is the id of two objects"));
+  EXPECT_THAT(
+      fails(R"({"objects": [{"class": "desk", "points": [1]}, {"class": "desk", "points": [1]}]})"),
+      HasSubstr("belongs to two objects"));
+  EXPECT_THAT(fails(R"({"objects": [{"class": "desk", "points": [9]}]})"),
+              HasSubstr("the scan has 4"));
+  EXPECT_THAT(fails(R"({"objects": [{"class": "desc", "points": [1]}]})"),
+              HasSubstr("did you mean 'desk'?"));
+  EXPECT_THAT(fails(R"({"objects": [{"class": "desk", "points": 12}]})"),
+              HasSubstr("list of point indices"));
+  EXPECT_THAT(fails(R"({"objects": [{"class": "desk", "probability": 2, "points": [1]}]})"),
+              HasSubstr("0 .. 1"));
   EXPECT_THAT(fails(R"({"label": [8, 8, 8]})"), HasSubstr("3 rows"));
-  EXPECT_THAT(fails(R"({"label": [8, 8, 8, 8], "confidence": [1, 1, 1, 7]})"), HasSubstr("point 3"));
+  EXPECT_THAT(fails(R"({"label": [8, 8, 8, 8], "confidence": [1, 1, 1, 7]})"),
+              HasSubstr("point 3"));
   EXPECT_THAT(fails("{\"label\""), HasSubstr("a.json: line 1"));
   EXPECT_THAT(failure(put("a.txt", "8"), 1), HasSubstr("is no prediction"));
 }

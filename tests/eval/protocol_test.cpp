@@ -27,7 +27,8 @@ TEST(Protocol, EveryBuiltInOneReadsBackToItsHash) {
   for (const auto& name : builtin_protocols()) {
     const Protocol protocol = find_protocol(name);
     EXPECT_EQ(protocol.name, name);
-    EXPECT_EQ(protocol_hash(protocol_from_text(protocol_to_text(protocol), name)), protocol_hash(protocol));
+    EXPECT_EQ(protocol_hash(protocol_from_text(protocol_to_text(protocol), name)),
+              protocol_hash(protocol));
     hashes.push_back(protocol_hash(protocol));
   }
   std::sort(hashes.begin(), hashes.end());
@@ -46,7 +47,8 @@ TEST(Protocol, AnyChangedRuleChangesTheStamp) {
 }
 
 TEST(Protocol, WhatAFileLeavesOutIsAsInItsBase) {
-  const Protocol protocol = protocol_from_text("name: mine\nbase: semantickitti\nmin_points: 30\n", "mine.yaml");
+  const Protocol protocol =
+      protocol_from_text("name: mine\nbase: semantickitti\nmin_points: 30\n", "mine.yaml");
   EXPECT_EQ(protocol.name, "mine");
   EXPECT_EQ(protocol.min_points, 30);
   EXPECT_EQ(protocol.absent_class, "zero");
@@ -55,11 +57,16 @@ TEST(Protocol, WhatAFileLeavesOutIsAsInItsBase) {
 TEST(Protocol, ErrorsNameFileLineAndCause) {
   using testing::AllOf;
   using testing::HasSubstr;
-  EXPECT_THAT(failure_of("name: m\nmin_point: 3\n"), AllOf(HasSubstr("mine.yaml: line 2"), HasSubstr("did you mean 'min_points'?")));
-  EXPECT_THAT(failure_of("name: m\nmin_points: many\n"), AllOf(HasSubstr("line 2"), HasSubstr("'many' is not a whole number")));
-  EXPECT_THAT(failure_of("name: m\nmatch_iou: 0.3\n"), AllOf(HasSubstr("line 2"), HasSubstr("outside 0.5 .. 1")));
-  EXPECT_THAT(failure_of("name: m\nclasses: [desk, chiar]\n"), AllOf(HasSubstr("line 2"), HasSubstr("did you mean 'chair'?")));
-  EXPECT_THAT(failure_of("name: m\nap_thresholds: [0.5, 0.4]\n"), AllOf(HasSubstr("line 2"), HasSubstr("must rise")));
+  EXPECT_THAT(failure_of("name: m\nmin_point: 3\n"),
+              AllOf(HasSubstr("mine.yaml: line 2"), HasSubstr("did you mean 'min_points'?")));
+  EXPECT_THAT(failure_of("name: m\nmin_points: many\n"),
+              AllOf(HasSubstr("line 2"), HasSubstr("'many' is not a whole number")));
+  EXPECT_THAT(failure_of("name: m\nmatch_iou: 0.3\n"),
+              AllOf(HasSubstr("line 2"), HasSubstr("outside 0.5 .. 1")));
+  EXPECT_THAT(failure_of("name: m\nclasses: [desk, chiar]\n"),
+              AllOf(HasSubstr("line 2"), HasSubstr("did you mean 'chair'?")));
+  EXPECT_THAT(failure_of("name: m\nap_thresholds: [0.5, 0.4]\n"),
+              AllOf(HasSubstr("line 2"), HasSubstr("must rise")));
   EXPECT_THAT(failure_of("name: m\nignore_flags: [ghosts]\n"), HasSubstr("did you mean 'ghost'?"));
   EXPECT_THAT(failure_of("name: m\nbase: cocoa\n"), HasSubstr("did you mean 'coco'?"));
   EXPECT_THAT(failure_of("min_points: 3\n"), HasSubstr("'name' is missing"));
@@ -69,7 +76,8 @@ TEST(Protocol, ErrorsNameFileLineAndCause) {
 }
 
 TEST(Protocol, ClassesAreScoredAndMergedByName) {
-  const Protocol protocol = protocol_from_text("name: m\nclasses: [desk, chair]\nmerge: {table: desk}\n", "mine.yaml");
+  const Protocol protocol =
+      protocol_from_text("name: m\nclasses: [desk, chair]\nmerge: {table: desk}\n", "mine.yaml");
   const ClassRules rules = class_rules(protocol);
   EXPECT_EQ(rules.of(*find_class("desk")), *find_class("desk"));
   EXPECT_EQ(rules.of(*find_class("table")), *find_class("desk"));
@@ -82,9 +90,12 @@ TEST(Protocol, ClassesAreScoredAndMergedByName) {
 TEST(Protocol, TheFilesInTheRepositoryAreWhatTheySay) {
   const std::filesystem::path folder = std::filesystem::path(SCANCHOR_SOURCE_DIR) / "protocols";
   for (const auto& name : builtin_protocols()) {
-    EXPECT_EQ(protocol_hash(read_protocol(folder / (name + ".yaml"))), protocol_hash(find_protocol(name))) << name;
+    EXPECT_EQ(protocol_hash(read_protocol(folder / (name + ".yaml"))),
+              protocol_hash(find_protocol(name)))
+        << name;
   }
-  EXPECT_EQ(class_rules(read_protocol(folder / "coarse.yaml")).of(*find_class("table")), *find_class("desk"));
+  EXPECT_EQ(class_rules(read_protocol(folder / "coarse.yaml")).of(*find_class("table")),
+            *find_class("desk"));
 }
 
 }  // namespace

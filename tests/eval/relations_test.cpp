@@ -5,12 +5,17 @@
 namespace scanchor {
 namespace {
 
-NamedRelation fact(const char* name, int a, int b, bool holds = true, bool borderline = false) { return {name, a, b, holds, borderline, 1.0}; }
-NamedRelation claim(const char* name, int a, int b, double p) { return {name, a, b, true, false, p}; }
+NamedRelation fact(const char* name, int a, int b, bool holds = true, bool borderline = false) {
+  return {name, a, b, holds, borderline, 1.0};
+}
+NamedRelation claim(const char* name, int a, int b, double p) {
+  return {name, a, b, true, false, p};
+}
 
 TEST(Relations, ByHand) {
   const auto score = score_relations({fact("on", 1, 2), fact("on", 3, 2), fact("on", 5, 2, false)},
-                                     {claim("on", 1, 2, 0.9), claim("on", 5, 2, 0.8), claim("on", 7, 8, 0.7), claim("on", 3, 2, 0.4)});
+                                     {claim("on", 1, 2, 0.9), claim("on", 5, 2, 0.8),
+                                      claim("on", 7, 8, 0.7), claim("on", 3, 2, 0.4)});
   const auto& on = score.clear.at("on");
   EXPECT_EQ(on.right, 1);
   EXPECT_EQ(on.wrong, 2);
@@ -21,13 +26,16 @@ TEST(Relations, ByHand) {
 }
 
 TEST(Relations, BorderlinePairsAreApart) {
-  const auto score = score_relations({fact("near", 1, 2, true, true), fact("near", 1, 3)}, {claim("near", 1, 3, 1.0)});
+  const auto score = score_relations({fact("near", 1, 2, true, true), fact("near", 1, 3)},
+                                     {claim("near", 1, 3, 1.0)});
   EXPECT_EQ(score.clear.at("near").recall(), 1.0);
   EXPECT_EQ(score.borderline.at("near").missed, 1);
 }
 
 TEST(Relations, DuplicatesCountOnceAndUnknownRelationsNotAtAll) {
-  const auto score = score_relations({fact("on", 1, 2)}, {claim("on", 1, 2, 0.6), claim("on", 1, 2, 0.9), claim("hugs", 1, 2, 1.0)});
+  const auto score =
+      score_relations({fact("on", 1, 2)},
+                      {claim("on", 1, 2, 0.6), claim("on", 1, 2, 0.9), claim("hugs", 1, 2, 1.0)});
   EXPECT_EQ(score.clear.at("on").right, 1);
   EXPECT_EQ(score.clear.at("on").wrong, 0);
   EXPECT_EQ(score.clear.count("hugs"), 0U);

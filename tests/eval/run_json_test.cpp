@@ -22,7 +22,9 @@ RunResult small_run() {
     row.name = "0" + std::to_string(i);
     row.seed = 0xfedcba9876543210ULL;
     row.times.reason = 0.25;
-    row.score = score_scan(made.scan, &made.scene, perfect_prediction(truth_of(made.scan, &made.scene, run.protocol)), run.protocol);
+    row.score = score_scan(made.scan, &made.scene,
+                           perfect_prediction(truth_of(made.scan, &made.scene, run.protocol)),
+                           run.protocol);
     row.score.data = run.data;
     run.pooled.add(row.score);
     run.rows.push_back(row);
@@ -32,7 +34,8 @@ RunResult small_run() {
 
 TEST(RunJson, ReadsBack) {
   const RunResult run = small_run();
-  const RunResult read = run_from_json(nlohmann::ordered_json::parse(run_to_json(run).dump()), "run.json");
+  const RunResult read =
+      run_from_json(nlohmann::ordered_json::parse(run_to_json(run).dump()), "run.json");
   EXPECT_EQ(read.pooled, run.pooled);
   EXPECT_EQ(read.rows[1].seed, run.rows[1].seed);
   EXPECT_EQ(read.rows[1].score, run.rows[1].score);

@@ -20,7 +20,8 @@ Score full_score() {
   for (std::size_t i = 0; i < answer.points.class_id.size(); i += 3) answer.points.class_id[i] = 21;
   answer.surfaces = &surfaces;
   answer.relations = {{"on", 4, 2, true, false, 0.75}};
-  Score score = score_scan(made.scan, &made.scene, answer, protocol, {{"on", 4, 2, true, false, 1.0}, {"on", 3, 2, true, true, 1.0}});
+  Score score = score_scan(made.scan, &made.scene, answer, protocol,
+                           {{"on", 4, 2, true, false, 1.0}, {"on", 3, 2, true, true, 1.0}});
   score.data = "small";
   score.failed = {"00/1: \"quoted\" cause"};
   return score;
@@ -51,7 +52,8 @@ TEST(ScoreJson, BrokenFilesAreNamed) {
     score_from_json(json, "s.json");
     FAIL();
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("s.json: classes.unicorn"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("s.json: classes.unicorn"), std::string::npos)
+        << error.what();
   }
   EXPECT_THROW(score_from_json(nlohmann::ordered_json::parse("[1]"), "s.json"), Error);
 }

@@ -28,7 +28,8 @@ TEST(Score, PerfectAnswerIsPerfectUnderEveryProtocol) {
     const Protocol protocol = find_protocol(name);
     const auto prediction = perfect_prediction(truth_of(made.scan, &made.scene, protocol));
     const Score score = score_scan(made.scan, &made.scene, prediction, protocol);
-    for (const char* metric_name : {"objects.f1", "points.accuracy", "planes.recall@0.80", "planes.precision@0.80", "planes.rand", "instances.ap50"}) {
+    for (const char* metric_name : {"objects.f1", "points.accuracy", "planes.recall@0.80",
+                                    "planes.precision@0.80", "planes.rand", "instances.ap50"}) {
       EXPECT_NEAR(metric(score, protocol, metric_name), 1.0, 1e-9) << name << " " << metric_name;
     }
     if (protocol.absent_class != "skip") continue;
@@ -53,7 +54,8 @@ TEST(Score, WhatCannotBeIsAnErrorWithOneClearLine) {
   EXPECT_THAT(failure_of(made.scan, p), testing::HasSubstr("one row a point"));
   p = good;
   p.class_id[7] = 900;
-  EXPECT_THAT(failure_of(made.scan, p), testing::AllOf(testing::HasSubstr("point 7"), testing::HasSubstr("label map")));
+  EXPECT_THAT(failure_of(made.scan, p),
+              testing::AllOf(testing::HasSubstr("point 7"), testing::HasSubstr("label map")));
   p = good;
   p.confidence.assign(p.class_id.size(), 1.0F);
   p.confidence[3] = std::nanf("");
@@ -67,7 +69,8 @@ TEST(Score, PoolingIsAssociative) {
   std::vector<Score> scores;
   for (std::size_t cut : {3U, 5U, 7U}) {
     PointPrediction p = perfect;
-    for (std::size_t i = 0; i < p.class_id.size(); i += cut) p.class_id[i] = unlabelled, p.plane[i] = -1;
+    for (std::size_t i = 0; i < p.class_id.size(); i += cut)
+      p.class_id[i] = unlabelled, p.plane[i] = -1;
     scores.push_back(score_scan(made.scan, &made.scene, p, protocol));
   }
   Score left = scores[0], right = scores[1];

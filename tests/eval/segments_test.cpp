@@ -18,9 +18,11 @@ struct Columns {
   std::vector<std::int32_t> tc, ti, sc, si;
   std::vector<float> confidence;
   void add(int n, int t, int i, int s, int j, float c = 1.0F) {
-    for (int k = 0; k < n; ++k) tc.push_back(t), ti.push_back(i), sc.push_back(s), si.push_back(j), confidence.push_back(c);
+    for (int k = 0; k < n; ++k)
+      tc.push_back(t), ti.push_back(i), sc.push_back(s), si.push_back(j), confidence.push_back(c);
   }
-  [[nodiscard]] Segments make(const Protocol& protocol, std::vector<std::int32_t> ignored = {}) const {
+  [[nodiscard]] Segments make(const Protocol& protocol,
+                              std::vector<std::int32_t> ignored = {}) const {
     return make_segments({tc, ti}, {sc, si}, confidence, ignored, rules_of(), protocol);
   }
 };

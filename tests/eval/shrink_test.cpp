@@ -14,7 +14,8 @@ namespace {
 using Set = std::vector<std::size_t>;
 
 bool holds(const Set& set, const std::set<std::size_t>& wanted) {
-  return std::all_of(wanted.begin(), wanted.end(), [&](auto i) { return std::binary_search(set.begin(), set.end(), i); });
+  return std::all_of(wanted.begin(), wanted.end(),
+                     [&](auto i) { return std::binary_search(set.begin(), set.end(), i); });
 }
 
 TEST(Shrink, FindsExactlyWhatIsNeeded) {
@@ -66,7 +67,8 @@ FailingCase room_of(int things) {
 }
 
 bool there(const FailingCase& c, std::int32_t id) {
-  return std::any_of(c.scene.instances.begin(), c.scene.instances.end(), [&](const Instance& i) { return i.id == id; });
+  return std::any_of(c.scene.instances.begin(), c.scene.instances.end(),
+                     [&](const Instance& i) { return i.id == id; });
 }
 
 TEST(Shrink, CaseKeepsThingsAndNoiseThatTheFailureNeeds) {
@@ -81,7 +83,8 @@ TEST(Shrink, CaseKeepsThingsAndNoiseThatTheFailureNeeds) {
 }
 
 TEST(Shrink, NoiseThatIsNotNeededGoes) {
-  const auto result = shrink_case(room_of(5), [](const FailingCase& c) { return there(c, 2); }, {4});
+  const auto result =
+      shrink_case(room_of(5), [](const FailingCase& c) { return there(c, 2); }, {4});
   EXPECT_EQ(result.smallest.lidar.range_sigma, 0.0);
   EXPECT_TRUE(there(result.smallest, 4));  // was to be kept
   EXPECT_EQ(result.smallest.scene.instances.size(), 2U);

@@ -12,7 +12,8 @@ namespace scanchor {
 namespace {
 
 // Counts {hits, trials} of scenes; the metric is their ratio.
-PairedCounts ratio_counts(std::size_t scenes, double before, double after, double spread, std::uint64_t seed) {
+PairedCounts ratio_counts(std::size_t scenes, double before, double after, double spread,
+                          std::uint64_t seed) {
   PairedCounts counts;
   counts.name = "ratio";
   counts.value = [](std::span<const double> s) { return s[1] > 0 ? s[0] / s[1] : 0.0; };
@@ -37,7 +38,8 @@ TEST(Statistics, PooledIsNotTheMeanOfRatios) {
 }
 
 TEST(Statistics, IntervalOfAMeanIsNearTheNormalOne) {
-  // Equal trials: the pooled difference is the mean of n differences, whose standard error is known.
+  // Equal trials: the pooled difference is the mean of n differences, whose standard error is
+  // known.
   PairedCounts counts;
   counts.value = [](std::span<const double> s) { return s[0] / s[1]; };
   const CounterRandom random(5);
@@ -86,19 +88,23 @@ TEST(Statistics, SignFlipAgreesWithTryingAllExchanges) {
 }
 
 TEST(Statistics, SignFlipIsUniformWhenNothingChanged) {
-  // Kolmogorov-Smirnov distance of 200 p-values from the uniform distribution; 1.63 / sqrt(200) is its 1 % point.
+  // Kolmogorov-Smirnov distance of 200 p-values from the uniform distribution; 1.63 / sqrt(200) is
+  // its 1 % point.
   std::vector<double> p;
-  for (std::uint64_t seed = 0; seed < 200; ++seed) p.push_back(sign_flip_p(ratio_counts(30, 0.6, 0.6, 0.1, 100 + seed), 400, seed));
+  for (std::uint64_t seed = 0; seed < 200; ++seed)
+    p.push_back(sign_flip_p(ratio_counts(30, 0.6, 0.6, 0.1, 100 + seed), 400, seed));
   std::sort(p.begin(), p.end());
   double distance = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) distance = std::max(distance, std::abs(p[i] - (static_cast<double>(i) + 0.5) / 200.0));
+  for (std::size_t i = 0; i < p.size(); ++i)
+    distance = std::max(distance, std::abs(p[i] - (static_cast<double>(i) + 0.5) / 200.0));
   EXPECT_LT(distance, 0.115);
 }
 
 TEST(Statistics, IntervalCoversTheTruth) {
   int covered = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    const Interval interval = bca_interval(ratio_counts(60, 0.6, 0.58, 0.1, 500 + seed), 0.9, 500, seed);
+    const Interval interval =
+        bca_interval(ratio_counts(60, 0.6, 0.58, 0.1, 500 + seed), 0.9, 500, seed);
     covered += interval.low <= -0.02 && -0.02 <= interval.high;
   }
   EXPECT_GE(covered, 166);  // 180 expected; 166 is 3.3 standard deviations below
@@ -114,8 +120,10 @@ TEST(Statistics, HolmByHand) {
 }
 
 TEST(Statistics, StepDownLiesBetweenRawAndHolm) {
-  const PairedCounts a = ratio_counts(40, 0.6, 0.585, 0.1, 31), b = ratio_counts(40, 0.6, 0.59, 0.1, 32);
-  const std::vector<double> raw = {sign_flip_p(a, 2000, 5), sign_flip_p(b, 2000, 5), sign_flip_p(a, 2000, 5)};
+  const PairedCounts a = ratio_counts(40, 0.6, 0.585, 0.1, 31),
+                     b = ratio_counts(40, 0.6, 0.59, 0.1, 32);
+  const std::vector<double> raw = {sign_flip_p(a, 2000, 5), sign_flip_p(b, 2000, 5),
+                                   sign_flip_p(a, 2000, 5)};
   const auto holm = holm_adjust(raw);
   const auto stepped = step_down_p({a, b, a}, 2000, 5);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -130,8 +138,10 @@ TEST(Statistics, StepDownLiesBetweenRawAndHolm) {
 TEST(Statistics, StepDownHoldsTheErrorRateOfTheFamily) {
   int alarms = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    const auto p = step_down_p({ratio_counts(25, 0.6, 0.6, 0.1, 3 * seed + 1), ratio_counts(25, 0.6, 0.6, 0.1, 3 * seed + 2),
-                                ratio_counts(25, 0.6, 0.6, 0.1, 3 * seed + 3)}, 200, seed);
+    const auto p = step_down_p({ratio_counts(25, 0.6, 0.6, 0.1, 3 * seed + 1),
+                                ratio_counts(25, 0.6, 0.6, 0.1, 3 * seed + 2),
+                                ratio_counts(25, 0.6, 0.6, 0.1, 3 * seed + 3)},
+                               200, seed);
     alarms += *std::min_element(p.begin(), p.end()) < 0.05;
   }
   EXPECT_LE(alarms, 20);  // 10 expected, 3.2 standard deviations

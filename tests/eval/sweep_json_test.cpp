@@ -20,7 +20,8 @@ Suite tiny_suite() {
 }
 
 TEST(SweepJson, FinishedPointsAreFoundAgain) {
-  const auto folder = std::filesystem::temp_directory_path() / ("scanchor-sweep-" + std::to_string(getpid()));
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("scanchor-sweep-" + std::to_string(getpid()));
   int asked = 0;
   Method method;
   method.name = "oracle";
@@ -41,7 +42,8 @@ TEST(SweepJson, FinishedPointsAreFoundAgain) {
   EXPECT_EQ(asked, 2);
   EXPECT_EQ(sweep_to_json(first).dump(), sweep_to_json(second).dump());
   const std::string csv = sweep_to_csv(second);
-  EXPECT_THAT(csv, testing::StartsWith("lidar.range_sigma,scenes,objects.f1,objects.f1.low,objects.f1.high"));
+  EXPECT_THAT(csv, testing::StartsWith(
+                       "lidar.range_sigma,scenes,objects.f1,objects.f1.low,objects.f1.high"));
   EXPECT_THAT(csv, testing::HasSubstr("\n0.02,1,"));
   std::filesystem::remove_all(folder);
 }

@@ -12,7 +12,8 @@
 namespace scanchor {
 namespace {
 
-// A made-up method whose recall falls from 1 as 1 - 20 sigma - 0.1 clutter, with scenes that differ.
+// A made-up method whose recall falls from 1 as 1 - 20 sigma - 0.1 clutter, with scenes that
+// differ.
 RunResult made_up(const Suite& suite) {
   const double recall = 1.0 - 20.0 * suite.lidar.range_sigma - 0.1 * suite.room.clutter;
   RunResult run;
@@ -25,7 +26,8 @@ RunResult made_up(const Suite& suite) {
     row.score.objects.classes.resize(class_list().size());
     auto& desk = row.score.objects.classes[8];
     desk.truths = 1000;
-    desk.found = std::llround(1000 * std::clamp(recall + 0.02 * scene.normal(static_cast<std::uint64_t>(i)), 0.0, 1.0));
+    desk.found = std::llround(
+        1000 * std::clamp(recall + 0.02 * scene.normal(static_cast<std::uint64_t>(i)), 0.0, 1.0));
     run.pooled.add(row.score);
     run.rows.push_back(row);
   }
@@ -45,7 +47,8 @@ TEST(Sweep, AxesAreReadAsWritten) {
   EXPECT_NEAR(parse_axis("a=0..1/5").values[1], 0.25, 1e-12);
   EXPECT_EQ(parse_axis("a=0,0.5,2").values, (std::vector<double>{0, 0.5, 2}));
   EXPECT_EQ(parse_axis("a=3").values, (std::vector<double>{3}));
-  for (const char* bad : {"a", "=1", "a=", "a=1..", "a=2..1", "a=1,x", "a=0..1/1", "a=0..1/2.5", "a=0..nan", "a=1,,2"}) {
+  for (const char* bad : {"a", "=1", "a=", "a=1..", "a=2..1", "a=1,x", "a=0..1/1", "a=0..1/2.5",
+                          "a=0..nan", "a=1,,2"}) {
     EXPECT_THROW(parse_axis(bad), Error) << bad;
   }
 }
@@ -72,7 +75,10 @@ TEST(Sweep, MapHasAllCombinationsLastAxisFastest) {
   SweepOptions options;
   options.metrics = {"objects.recall"};
   options.replicates = 200;
-  const auto result = sweep(suite_without_clutter(), {parse_axis("lidar.range_sigma=0,0.01"), parse_axis("room.clutter=0,0.5,1")}, options, made_up);
+  const auto result =
+      sweep(suite_without_clutter(),
+            {parse_axis("lidar.range_sigma=0,0.01"), parse_axis("room.clutter=0,0.5,1")}, options,
+            made_up);
   ASSERT_EQ(result.points.size(), 6U);
   EXPECT_EQ(result.points[1].values, (std::vector<double>{0, 0.5}));
   EXPECT_EQ(result.points[3].values, (std::vector<double>{0.01, 0}));
@@ -83,7 +89,8 @@ TEST(Sweep, MapHasAllCombinationsLastAxisFastest) {
 }
 
 TEST(Sweep, BreakingPointIsFoundWithItsInterval) {
-  const auto found = breaking_point(suite_without_clutter(), {"lidar.range_sigma", {0.0, 0.05}}, "objects.recall", 0.6, made_up, 1.0 / 64, 500);
+  const auto found = breaking_point(suite_without_clutter(), {"lidar.range_sigma", {0.0, 0.05}},
+                                    "objects.recall", 0.6, made_up, 1.0 / 64, 500);
   EXPECT_TRUE(found.breaks);
   EXPECT_NEAR(found.value, 0.02, 0.0005);  // 1 - 20 sigma = 0.6; scenes differ by 0.02 / sqrt(40)
   EXPECT_LE(found.interval.low, found.value);
@@ -94,14 +101,20 @@ TEST(Sweep, BreakingPointIsFoundWithItsInterval) {
 
 TEST(Sweep, WhatNeverOrAlwaysBreaksSaysSo) {
   const Axis narrow{"lidar.range_sigma", {0.0, 0.01}};
-  EXPECT_FALSE(breaking_point(suite_without_clutter(), narrow, "objects.recall", 0.5, made_up, 0.1, 100).breaks);
-  const auto always = breaking_point(suite_without_clutter(), {"lidar.range_sigma", {0.03, 0.05}}, "objects.recall", 0.6, made_up, 0.1, 100);
+  EXPECT_FALSE(
+      breaking_point(suite_without_clutter(), narrow, "objects.recall", 0.5, made_up, 0.1, 100)
+          .breaks);
+  const auto always = breaking_point(suite_without_clutter(), {"lidar.range_sigma", {0.03, 0.05}},
+                                     "objects.recall", 0.6, made_up, 0.1, 100);
   EXPECT_TRUE(always.from_start);
   EXPECT_EQ(always.value, 0.03);
 }
 
 TEST(Sweep, EffectsAreRankedByTheirCost) {
-  const auto costs = rank_effects(suite_without_clutter(), {parse_axis("room.clutter=0,1"), parse_axis("lidar.range_sigma=0,0.02")}, "objects.recall", made_up, 300);
+  const auto costs =
+      rank_effects(suite_without_clutter(),
+                   {parse_axis("room.clutter=0,1"), parse_axis("lidar.range_sigma=0,0.02")},
+                   "objects.recall", made_up, 300);
   ASSERT_EQ(costs.size(), 2U);
   EXPECT_EQ(costs[0].option, "lidar.range_sigma");
   EXPECT_NEAR(costs[0].after - costs[0].before, -0.4, 0.02);

@@ -29,7 +29,8 @@ TEST(Truth, KnowsThePlanesInTheFrameOfTheCloud) {
   EXPECT_FALSE(top->ignored);
   const PlaneTruth* front = plane_of(truth, "cabinet", 0.8 * 1.0);
   ASSERT_NE(front, nullptr);
-  EXPECT_NEAR(front->offset, -(0.3 + 2.0), 1e-9);  // 2.3 m in front of the sensor, normal towards it
+  EXPECT_NEAR(front->offset, -(0.3 + 2.0),
+              1e-9);  // 2.3 m in front of the sensor, normal towards it
 }
 
 TEST(Truth, WhatHasFewPointsIsIgnored) {
@@ -46,7 +47,10 @@ TEST(Truth, WhatHasFewPointsIsIgnored) {
 TEST(Truth, WhatIsHardlyVisibleIsIgnored) {
   SmallScan made = small_scan();
   for (auto& entry : made.scan.visibility) {
-    if (made.scene.instances[static_cast<std::size_t>(all_faces(made.scene)[static_cast<std::size_t>(entry.face)].instance)].id == 3) {
+    if (made.scene
+            .instances[static_cast<std::size_t>(
+                all_faces(made.scene)[static_cast<std::size_t>(entry.face)].instance)]
+            .id == 3) {
       entry.visible_fraction = 0.05;
     }
   }
@@ -59,13 +63,15 @@ TEST(Truth, FacesThatNoScanCanTellApartAreOnePlane) {
   SmallScan made = small_scan();
   const auto planes = [&] { return truth_of(made.scan, &made.scene, Protocol{}).planes.size(); };
   const std::size_t apart = planes();
-  // A second desk as high as the first, side by side: their tops become one plane, and so do their fronts.
+  // A second desk as high as the first, side by side: their tops become one plane, and so do their
+  // fronts.
   made.scene.instances[2].parts = {box_part("body", 0, Eigen::Vector3d::Zero(), {1.6, 0.8, 0.72})};
   made.scene.instances[2].T_world_instance.translation() = Eigen::Vector3d(0.61, 0, 0.36);
   EXPECT_EQ(planes(), apart - 2);
   made.scene.instances[2].T_world_instance.translation().z() = 0.38;  // a step of 2 cm can be told
   EXPECT_EQ(planes(), apart - 1);
-  made.scene.instances[2].T_world_instance.translation() = Eigen::Vector3d(0.9, 0, 0.36);  // a gap of 30 cm too
+  made.scene.instances[2].T_world_instance.translation() =
+      Eigen::Vector3d(0.9, 0, 0.36);  // a gap of 30 cm too
   EXPECT_EQ(planes(), apart);
 }
 
@@ -81,7 +87,8 @@ TEST(Truth, FlaggedPointsHaveNone) {
 
 TEST(Truth, WithoutASceneFacesArePlanes) {
   const SmallScan made = small_scan();
-  const ScanTruth with = truth_of(made.scan, &made.scene, Protocol{}), without = truth_of(made.scan, nullptr, Protocol{});
+  const ScanTruth with = truth_of(made.scan, &made.scene, Protocol{}),
+                  without = truth_of(made.scan, nullptr, Protocol{});
   EXPECT_EQ(with.plane, without.plane);
   EXPECT_FALSE(without.planes[0].has_geometry);
 }

@@ -5,7 +5,8 @@
 namespace scanchor {
 namespace {
 
-Instance box_instance(std::int32_t id, const char* name, const Eigen::Vector3d& center, const Eigen::Vector3d& size) {
+Instance box_instance(std::int32_t id, const char* name, const Eigen::Vector3d& center,
+                      const Eigen::Vector3d& size) {
   Instance instance;
   instance.id = id;
   instance.class_id = *find_class(name);
@@ -27,7 +28,8 @@ SmallScan small_scan() {
                           box_instance(4, "cup", {-1, 0, 0.76}, {0.08, 0.08, 0.08})};
   Scan& scan = made.scan;
   scan.T_world_sensor.translation() = Eigen::Vector3d(0, -2, 1.5);
-  scan.T_world_sensor.linear() = Eigen::AngleAxisd(0.5 * 3.14159265358979323846, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  scan.T_world_sensor.linear() =
+      Eigen::AngleAxisd(0.5 * 3.14159265358979323846, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   const auto faces = all_faces(made.scene);
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const WorldFace face = world_face(made.scene, faces[f]);
@@ -61,10 +63,12 @@ Surfaces true_surfaces(const Scan& scan, const ScanTruth& truth) {
   std::vector<std::size_t> order;
   std::vector<std::vector<std::uint32_t>> inliers(truth.planes.size());
   for (std::size_t i = 0; i < truth.size(); ++i) {
-    if (truth.plane[i] >= 0) inliers[static_cast<std::size_t>(truth.plane[i])].push_back(static_cast<std::uint32_t>(i));
+    if (truth.plane[i] >= 0)
+      inliers[static_cast<std::size_t>(truth.plane[i])].push_back(static_cast<std::uint32_t>(i));
   }
   for (std::size_t p = 0; p < inliers.size(); ++p) order.push_back(p);
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return inliers[a].size() > inliers[b].size(); });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](auto a, auto b) { return inliers[a].size() > inliers[b].size(); });
   surfaces.plane_of_point.assign(truth.size(), -1);
   for (const auto p : order) {
     Surface surface;
