@@ -183,6 +183,7 @@ class Generator {
     writer.write(folder + "times.txt", times_text(poses.size(), task.lidar));
     writer.write_with(folder + "scene.json", [&](const fs::path& path) { write_scene(path, scene); });
     writer.write(folder + "faces.json", faces_json(scene, visibility));
+    writer.write(folder + "relations.json", relations_json(scene));
     if (options_.formats.s3dis) {
       const char* area = task.split == "train" ? "Area_1/" : task.split == "valid" ? "Area_2/" : "Area_5/";
       for (const auto& [name, text] : s3dis_files(scene, kept, room_name(task.room.family, task.index))) {

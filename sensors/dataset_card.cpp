@@ -8,6 +8,7 @@
 #include "core/file.hpp"
 #include "core/json.hpp"
 #include "core/version.hpp"
+#include "scenes/relations.hpp"
 
 namespace scanchor {
 namespace {
@@ -203,6 +204,21 @@ std::string faces_json(const Scene& scene, const std::vector<std::vector<FaceVis
   std::string text = "{\"faces\": [\n";
   for (std::size_t i = 0; i < list.size(); ++i) text += list[i].dump() + (i + 1 < list.size() ? ",\n" : "\n");
   return text + "]}\n";
+}
+
+std::string relations_json(const Scene& scene) {
+  std::string text = "{\"relations\": [";
+  bool first = true;
+  for (const auto& fact : instance_relations(scene)) {
+    const Json json = {{"relation", relation_name(fact.relation)},
+                       {"a", scene.instances[static_cast<std::size_t>(fact.a)].id},
+                       {"b", scene.instances[static_cast<std::size_t>(fact.b)].id},
+                       {"margin", fact.value.margin},
+                       {"value", fact.value.value}};
+    text += (first ? "\n" : ",\n") + json.dump();
+    first = false;
+  }
+  return text + "\n]}\n";
 }
 
 std::vector<FaceVisibility> read_face_visibility(const std::filesystem::path& path, std::size_t scan) {

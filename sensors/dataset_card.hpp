@@ -49,6 +49,8 @@ void write_dataset_card(const std::filesystem::path& root, const Suite& suite, c
 
 /// faces.json: for every face its exact geometry in the world, and in each scan its points and the share that was visible.
 std::string faces_json(const Scene& scene, const std::vector<std::vector<FaceVisibility>>& visibility);
+/// relations.json: the exact relations between the things of a room, with their margins.
+std::string relations_json(const Scene& scene);
 /// The visibility of one scan back.
 std::vector<FaceVisibility> read_face_visibility(const std::filesystem::path& path, std::size_t scan);
 

@@ -58,6 +58,21 @@ void Suite::describe(OptionList& list) {
   list.add_group("lidar", lidar);
 }
 
+void set_suite_option(Suite& suite, std::string_view name, std::string_view value) {
+  if (name == "lidar.preset") {
+    suite.lidar = lidar_preset(std::string(value));
+    return;
+  }
+  OptionList list;
+  list.add("name", suite.name, "name of the data set");
+  list.add("seed", suite.seed, "of the rooms and scans");
+  list.add("scenes", suite.scenes, "1", "rooms", 1, 10'000'000);
+  list.add("scans", suite.scans, "1", "of each room", 1, 10'000);
+  suite.describe(list);
+  list.set(name, value);
+  if (name == "room.family") suite.families = {{std::string(value), 1.0}};
+}
+
 std::vector<SceneTask> scene_tasks(const Suite& suite) {
   static const std::string split_names[] = {"train", "valid", "test"};
   std::vector<double> weights;

@@ -65,6 +65,10 @@ Suite parse_suite(const std::string& yaml, const std::string& file);
 /// suite that cannot be (no family with a weight above 0).
 std::vector<SceneTask> scene_tasks(const Suite& suite);
 
+/// Sets one thing of a suite from text, as `--set` gives it: an option by its dotted name, or name, seed, scenes, scans. "lidar.preset" loads
+/// the preset (so it comes before what changes it), "room.family" makes it the only family. Throws Error(wrong_usage).
+void set_suite_option(Suite& suite, std::string_view name, std::string_view value);
+
 /// The resolved suite with every option; what a data set's card holds.
 nlohmann::ordered_json suite_to_json(const Suite& suite);
 
