@@ -47,6 +47,13 @@ void add_generate(CLI::App& root, ExitCodeSlot& code);
 void add_label(CLI::App& root, ExitCodeSlot& code);
 void add_segment(CLI::App& root, ExitCodeSlot& code);
 void add_score(CLI::App& root, ExitCodeSlot& code);
+void add_explain(CLI::App& root, ExitCodeSlot& code);
 void add_render(CLI::App& root, ExitCodeSlot& code);
+void add_report(CLI::App& root, ExitCodeSlot& code);
+void add_figures(CLI::App& root, ExitCodeSlot& code);
+void add_check(CLI::App& root, ExitCodeSlot& code);
+void add_baseline(CLI::App& root, ExitCodeSlot& code);
+void add_sweep(CLI::App& root, ExitCodeSlot& code);
+void add_blame(CLI::App& root, ExitCodeSlot& code);
 
 }  // namespace scanchor::apps

@@ -6,12 +6,14 @@
 #include <filesystem>
 #include <map>
 
-#include "apps/room_run.hpp"
 #include "apps/command.hpp"
+#include "apps/room_run.hpp"
+#include "apps/score_table.hpp"
 #include "core/data_folder.hpp"
 #include "core/file.hpp"
 #include "core/parallel.hpp"
 #include "core/progress.hpp"
+#include "results/report.hpp"
 #include "results/table.hpp"
 
 namespace scanchor::apps {
@@ -68,27 +70,6 @@ Json summary_json(const Suite& suite, const Chain& chain, const std::vector<Room
   return json;
 }
 
-void print_classes(const Common& common, const ObjectScore& score, const TableOptions& style) {
-  Table table({"class", "there", "found", "missed", "wrong", "precision", "recall"});
-  const auto row = [&](const std::string& name, const ObjectCounts& counts) {
-    const bool claimed = counts.claims() > 0;
-    const bool there = counts.truths > 0;
-    table.add_row({name, std::to_string(counts.truths), std::to_string(counts.found), std::to_string(counts.missed()),
-                   std::to_string(counts.wrong + counts.repeated),
-                   {claimed ? fraction_text(counts.precision(), 2) : "-", claimed ? tone_of(counts.precision(), 0.9, 0.7) : CellTone::faint},
-                   {there ? fraction_text(counts.recall(), 2) : "-", there ? tone_of(counts.recall(), 0.9, 0.7) : CellTone::faint}});
-  };
-  for (std::size_t id = 0; id < score.classes.size(); ++id) {
-    const ObjectCounts& counts = score.classes[id];
-    if (counts.truths + counts.claims() > 0) row(std::string(class_info(static_cast<ClassId>(id)).name), counts);
-  }
-  table.add_rule();
-  row("all", score.total());
-  say(common, table.to_text(style));
-  if (score.ignored > 0) say(common, fmt::format("{} things could hardly be seen and do not count.", score.ignored));
-  if (score.not_described > 0) say(common, fmt::format("{} things are of classes that the descriptions have no word for.", score.not_described));
-}
-
 void print_stages(const Common& common, const std::vector<RoomResult>& rooms) {
   std::string line;
   for (std::size_t stage = 0; stage < rooms.front().seconds.size(); ++stage) {
@@ -132,6 +113,7 @@ int run(Arguments& arguments) {
   const Json summary = summary_json(suite, chain, rooms, total);
   write_json(out / "summary.json", summary);
   write_json(out / "config.resolved.json", list.to_json());
+  write_report(out, out / "report.html");
   answer(arguments.common, summary);
 
   const Common& common = arguments.common;
@@ -145,7 +127,7 @@ int run(Arguments& arguments) {
                       std::to_string(counts.found), std::to_string(counts.wrong + counts.repeated)});
   }
   say(common, overview.to_text(style));
-  print_classes(common, total.objects, style);
+  print_objects(common, total.objects);
   print_stages(common, rooms);
   for (const auto& room : rooms) {
     for (const auto& thing : room.objects.things) {
@@ -160,6 +142,7 @@ int run(Arguments& arguments) {
     for (const auto& picture : room.pictures) say(common, "  " + picture.string());
   }
   say(common, fmt::format("Everything: {} (summary.json; in each room scene, scan, surfaces, labels, scores)", out.string()));
+  say(common, fmt::format("Report:     {}", (out / "report.html").string()));
   return interrupted ? static_cast<int>(ExitCode::nothing_measured) : 0;
 }
 

@@ -8,7 +8,14 @@ void add_all_verbs(CLI::App& root, ExitCodeSlot& code) {
   add_label(root, code);
   add_segment(root, code);
   add_score(root, code);
+  add_explain(root, code);
   add_render(root, code);
+  add_report(root, code);
+  add_figures(root, code);
+  add_check(root, code);
+  add_baseline(root, code);
+  add_sweep(root, code);
+  add_blame(root, code);
 }
 
 }  // namespace scanchor::apps
