@@ -141,6 +141,9 @@ class Generator {
   }
 
   void generate(const SceneTask& task) {
+    // What a killed run left of this sequence, temporary files among it.
+    std::error_code ignored;
+    fs::remove_all(root_ / "sequences" / task.name, ignored);
     SequenceCard card;
     card.name = task.name;
     card.split = task.split;

@@ -100,6 +100,7 @@ TEST(Dataset, TheBytesDoNotDependOnThreadsShardsOrInterruptions) {
   EXPECT_EQ(resumed.scenes_written, 3);
   EXPECT_EQ(hashes(folder / "resumed"), expected) << "interruption";
   std::ofstream(folder / "resumed/sequences/02/velodyne/000001.bin", std::ios::trunc) << "x";
+  write_file(folder / "resumed/sequences/02/velodyne/000001.bin.part-1", "left by a killed run");
   fs::remove(folder / "resumed/dataset.json");
   EXPECT_EQ(generate_dataset(suite, folder / "resumed", options).scenes_written, 1) << "a damaged scene is made again";
   EXPECT_EQ(hashes(folder / "resumed"), expected);
