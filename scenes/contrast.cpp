@@ -114,7 +114,9 @@ Draft draft(Scene& scene, Relation relation, SequentialRandom& random) {
       d.b = make_furniture(scene, crate);
       d.b.T_world_instance = pose(0, 0, height);
       d.a = board(scene, "box", {0.2, 0.18, 0.15}, "cardboard");
-      const double x = random.uniform(-0.08, 0.08);
+      d.b.loose = false;  // it hangs
+      // Off the middle: vertically aligned neither in it nor beside it.
+      const double x = (random.chance(0.5) ? 1.0 : -1.0) * random.uniform(0.05, 0.09);
       d.a.T_world_instance = pose(x, 0, height + 0.25);
       d.a_without = d.a;
       d.a_without.T_world_instance = pose(x, -0.52, height + 0.25);
@@ -212,7 +214,7 @@ ContrastPair contrastive_pair(Relation relation, std::uint64_t seed, double clea
     for (int i = 0; i < 2; ++i) {
       Instance thing = make_furniture(scene, {i == 0 ? "cabinet" : "waste bin", "", random.below(1U << 20), {}, 0.0});
       const Eigen::AlignedBox3d bounds = local_bounds(thing);
-      thing.T_world_instance = pose_at({random.uniform(0.7, room.high.x() - 0.7), room.high.y() - 0.03 - bounds.max().y(), 0});
+      thing.T_world_instance = pose_at({random.uniform(0.7, room.high.x() - 0.7), room.high.y() - 0.03 - bounds.max().y(), thing.loose ? 0.003 : 0.0});
       others.push_back(std::move(thing));
     }
     pair.with = scene;

@@ -116,6 +116,17 @@ std::optional<std::size_t> Placer::put_somewhere(const Instance& instance, int t
 std::optional<std::size_t> Placer::put_on(const SupportSurface& surface, Instance instance, const Eigen::Vector2d& at, double yaw) {
   const Eigen::Isometry3d base = scene_.instances[surface.instance].T_world_instance;
   const double z = surface.center.z() + (instance.loose ? lift : 0.0);
+  // What touches the surface must lie on it: the rest may hang over.
+  const Eigen::Matrix3d turn = rotation_about(2, yaw);
+  const double foot = local_bounds(instance).min().z() + 0.02;
+  for (const auto& part : instance.parts) {
+    for (const auto& v : part.vertices) {
+      const Eigen::Vector3d p = part.T_instance_part * v;
+      if (p.z() > foot) continue;
+      const Eigen::Vector2d reach = (turn * p).head<2>() + at;
+      if (std::abs(reach.x()) > surface.half.x() || std::abs(reach.y()) > surface.half.y()) return std::nullopt;
+    }
+  }
   return put(std::move(instance), base * pose_at({surface.center.x() + at.x(), surface.center.y() + at.y(), z}, yaw), false);
 }
 

@@ -42,7 +42,8 @@ class Placer {
   std::optional<std::size_t> put_at_some_wall(const Instance& instance, const std::vector<Side>& sides, double use, int tries = 12);
   /// Free in the room at a random place and yaw.
   std::optional<std::size_t> put_somewhere(const Instance& instance, int tries = 12, double wall_gap = 0.05);
-  /// On a surface, `lift` above it (loose things fall that far); x and y in the frame of the surface's thing.
+  /// On a surface, 3 mm above it if loose; `at` counts from its middle along the axes of its thing. Nothing where its foot would hang
+  /// over the edge.
   std::optional<std::size_t> put_on(const SupportSurface& surface, Instance instance, const Eigen::Vector2d& at, double yaw);
   /// On a surface at a random place with yaw around `yaw`.
   std::optional<std::size_t> put_somewhere_on(const SupportSurface& surface, const Instance& instance, double yaw, double spread, int tries = 8);
@@ -58,6 +59,7 @@ class Placer {
   void keep_front_free(std::size_t instance, double depth);
 
   [[nodiscard]] Scene& scene() { return scene_; }
+  [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] const RoomShell& room() const { return room_; }
   [[nodiscard]] SequentialRandom& random() { return random_; }
   [[nodiscard]] const RoomOptions& options() const { return options_; }

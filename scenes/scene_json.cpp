@@ -395,6 +395,7 @@ Scene scene_from(const Json& json, const std::string& file, const std::filesyste
     const JsonReader room = reader.at("room");
     room.only({"size"});
     add_plain_room(scene, size_of(room.at("size")));
+    for (auto& instance : scene.instances) instance.id = 0;  // the file's own ids come first
   }
   const JsonReader instances = reader.at("instances");
   for (std::size_t i = 0; i < instances.size(); ++i) {

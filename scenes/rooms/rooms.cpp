@@ -19,8 +19,9 @@ const std::string& one_of(SequentialRandom& random, const std::vector<std::strin
 RoomPlan plan_room(SequentialRandom& random, const RoomOptions& options, const Eigen::Vector2d& least, const Eigen::Vector2d& most,
                    double height_low, double height_high) {
   RoomPlan plan;
-  const double w = random.uniform(least.x(), most.x()) * options.size_scale;
-  const double d = random.uniform(least.y(), most.y()) * options.size_scale;
+  // A wall must hold a door, whatever the scale.
+  const double w = std::max(1.6, random.uniform(least.x(), most.x()) * options.size_scale);
+  const double d = std::max(1.6, random.uniform(least.y(), most.y()) * options.size_scale);
   plan.shell.high = {to_mm(w), to_mm(d)};
   plan.shell.height = to_mm(random.uniform(height_low, height_high));
   plan.shell.floor_material = one_of(random, {"linoleum", "carpet grey", "carpet blue", "parquet"});
@@ -35,7 +36,9 @@ void add_door(Scene& scene, RoomPlan& plan, SequentialRandom& random, Side side,
   Instance door = make_furniture(scene, request);
   const double width = door.parameters.at("width");
   const double height = std::min(door.parameters.at("height"), plan.shell.height - 0.1);
-  along = std::clamp(along, 0.5 * width + 0.15, side_length(plan.shell, side) - 0.5 * width - 0.15);
+  const double margin = 0.5 * width + 0.15;
+  const double length = side_length(plan.shell, side);
+  along = length > 2 * margin ? std::clamp(along, margin, length - margin) : 0.5 * length;
   along = to_mm(along);
   plan.shell.openings.push_back({side, {{along - 0.5 * width, 0.0}, {along + 0.5 * width, height}, wall}});
   const Eigen::Isometry3d frame = side_frame(plan.shell, side) * pose_at({along, 0, 0});
@@ -264,7 +267,7 @@ void ceiling_lamps(Placer& placer, int count) {
 }
 
 bool walkable(const Placer& placer, const RoomPlan& plan) {
-  auto& scene = const_cast<Placer&>(placer).scene();
+  const Scene& scene = placer.scene();
   const Eigen::AlignedBox2d room(plan.shell.low, plan.shell.high);
   const FloorGrid grid = walkable_floor(scene, room, 0.2, plan.entrances.front());
   for (const auto& entrance : plan.entrances) {

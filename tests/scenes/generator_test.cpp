@@ -23,7 +23,7 @@ RoomOptions of(const std::string& family) {
 /// Every family under many seeds and settings.
 class EveryFamily : public ::testing::TestWithParam<std::string> {
  protected:
-  static constexpr std::uint64_t seeds = 24;
+  static constexpr std::uint64_t seeds = 10;
   static RoomOptions options(std::uint64_t seed) {
     RoomOptions options = of(GetParam());
     // Corners of the settings, in turn.

@@ -22,7 +22,7 @@ TEST(Rooms, DoorsFillTheirOpenings) {
       // The leaf stands in the room, or outside.
       const Eigen::AlignedBox3d bounds = world_bounds(door);
       const Eigen::Vector3d inside = plan.door_frames[0] * Eigen::Vector3d(0, -0.5, 1.0);
-      EXPECT_EQ(bounds.exteriorDistance(inside) < 0.5, !outwards) << static_cast<int>(side);
+      EXPECT_EQ(bounds.exteriorDistance(inside) < 0.45, !outwards) << static_cast<int>(side);
     }
   }
 }
