@@ -49,7 +49,7 @@ void match_coco(const Segments& segments, const OneClass& one, const std::vector
     return segments.predicted[one.claims[a]].confidence >
            segments.predicted[one.claims[b]].confidence;
   });
-  std::vector<Detection> detections(one.claims.size());
+  std::vector<InstanceClaim> detections(one.claims.size());
   for (std::size_t level = 0; level < levels.size(); ++level) {
     const std::uint32_t bit = 1U << level;
     std::vector<char> taken(one.truths.size(), 0);

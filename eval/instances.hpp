@@ -9,17 +9,17 @@
 namespace scanchor {
 
 /// One claim of a class, at all thresholds at once: bit i stands for ap_levels(protocol)[i].
-struct Detection {
+struct InstanceClaim {
   float confidence = 1.0F;
   std::uint32_t counts = 0;  ///< bit: an entry of the precision-recall curve at this threshold
   std::uint32_t right = 0;   ///< bit: matched
-  friend bool operator==(const Detection&, const Detection&) = default;
+  friend bool operator==(const InstanceClaim&, const InstanceClaim&) = default;
 };
 
 struct InstanceClass {
-  std::int64_t truths = 0;            ///< things that count
-  std::vector<Detection> detections;  ///< in the order of the scans
-  bool claimed = false;               ///< somebody claimed the class at all
+  std::int64_t truths = 0;                ///< things that count
+  std::vector<InstanceClaim> detections;  ///< in the order of the scans
+  bool claimed = false;                   ///< somebody claimed the class at all
   friend bool operator==(const InstanceClass&, const InstanceClass&) = default;
 };
 
