@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <unordered_map>
 
 #include "reasoning/background.hpp"
 #include "reasoning/proof.hpp"
@@ -13,11 +14,27 @@ namespace {
 
 constexpr double negligible = 1e-4;
 
+/// The class above: what it is a kind of, else what it is a part of. Who sees a piece of a wall sees a wall.
+int class_above(const Ontology& ontology, int c) {
+  const auto& description = ontology.classes[c];
+  if (!description.parent.empty()) return ontology.find(description.parent);
+  return description.part_of.empty() ? -1 : ontology.find(description.part_of);
+}
+
 bool is_ancestor(const Ontology& ontology, int ancestor, int c) {
   for (std::size_t steps = 0; c >= 0 && steps <= ontology.classes.size(); ++steps) {
     if (c == ancestor) return true;
-    const auto& parent = ontology.classes[c].parent;
-    c = parent.empty() ? -1 : ontology.find(parent);
+    c = class_above(ontology, c);
+  }
+  return false;
+}
+
+/// A part that is only held together by its group (a board of a shelf) is nothing by itself: it counts through the group.
+bool only_a_member(const Ontology& ontology, int c) {
+  const auto& description = ontology.classes[c];
+  if (description.part_of.empty()) return false;
+  for (const auto& clause : all_clauses(ontology, ontology.find(description.part_of))) {
+    if (clause.kind == ClauseKind::group && clause.target == description.name()) return true;
   }
   return false;
 }
@@ -33,7 +50,7 @@ struct Scored {
   double score;
 };
 
-/// p(c|e) = exp S_c / (pi_0 + sum exp S_k), reasoning.md 2.4; a class's probability includes that of its kinds.
+/// p(c|e) = exp S_c / (pi_0 + sum exp S_k), reasoning.md 2.4; a class's probability includes that of its kinds and parts.
 void distribute(Entity& entity, const std::vector<Scored>& scored, const Ontology& ontology, double applies) {
   const double unknown = std::log(unknown_prior_of(ontology));
   double top = unknown;
@@ -48,8 +65,7 @@ void distribute(Entity& entity, const std::vector<Scored>& scored, const Ontolog
     int c = s.class_index;
     for (std::size_t steps = 0; c >= 0 && steps <= ontology.classes.size(); ++steps) {
       mass[c] += p;
-      const auto& parent = ontology.classes[c].parent;
-      c = parent.empty() ? -1 : ontology.find(parent);
+      c = class_above(ontology, c);
     }
   }
   for (const auto& [c, p] : mass) {
@@ -58,6 +74,18 @@ void distribute(Entity& entity, const std::vector<Scored>& scored, const Ontolog
   entity.classes.push_back({"unknown", std::max(0.0, 1.0 - known)});
   std::stable_sort(entity.classes.begin(), entity.classes.end(),
                    [](const auto& a, const auto& b) { return a.probability > b.probability; });
+}
+
+/// Where only the parts of a class speak for it, the likeliest part is what is named: the whole's own clauses do not hold here.
+void name_the_part(Entity& entity, const std::vector<Scored>& scored, const Ontology& ontology) {
+  if (entity.label == "unknown" || entity.label == "ambiguous") return;
+  const int named = ontology.find(entity.label);
+  const Scored* best = nullptr;
+  for (const auto& s : scored) {
+    if (s.class_index == named) return;
+    if (is_ancestor(ontology, named, s.class_index) && (best == nullptr || s.score > best->score)) best = &s;
+  }
+  if (best != nullptr) entity.label = ontology.classes[best->class_index].name();
 }
 
 /// `unique` classes go to the entity that is most likely one; the others have to be something else.
@@ -125,15 +153,16 @@ void decide(Entity& entity, const Ontology& ontology, const ReasonOptions& optio
   const ClassProbability* best = nullptr;
   for (const auto& c : entity.classes) {
     if (c.name == "unknown") continue;
-    const bool more_specific = best != nullptr && c.probability >= options.report_probability &&
-                               is_ancestor(ontology, ontology.find(best->name), ontology.find(c.name));
+    if (best != nullptr && c.probability < options.report_probability) break;
+    const bool more_specific = best != nullptr && is_ancestor(ontology, ontology.find(best->name), ontology.find(c.name));
     if (best == nullptr || more_specific) best = &c;
   }
   if (best == nullptr) return;
   const ClassProbability* rival = nullptr;
   for (const auto& c : entity.classes) {
     if (c.name == "unknown" || related(ontology, c.name, best->name)) continue;
-    if (rival == nullptr || c.probability > rival->probability) rival = &c;
+    rival = &c;  // they are falling: the first is the likeliest
+    break;
   }
   const double second = rival != nullptr ? rival->probability : 0.0;
   if (rival != nullptr && best->probability + second >= options.report_probability &&
@@ -150,8 +179,15 @@ void decide(Entity& entity, const Ontology& ontology, const ReasonOptions& optio
 void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontology& ontology, const ReasonOptions& options,
                    const Eigen::Matrix3d& R, double upright, Labelling& labelling) {
   const auto& items = matcher.items();
+  std::unordered_map<std::string, int> class_of;  // looked up, never walked through
+  for (std::size_t c = 0; c < ontology.classes.size(); ++c) class_of.emplace(ontology.classes[c].name(), static_cast<int>(c));
+  const auto find = [&](const std::string& label) {
+    const auto at = class_of.find(label);
+    return at != class_of.end() ? at->second : -1;
+  };
   std::vector<std::vector<Scored>> scored(items.size());
   for (std::size_t c = 0; c < ontology.classes.size(); ++c) {
+    if (only_a_member(ontology, static_cast<int>(c))) continue;
     for (const auto& candidate : matcher.candidates(static_cast<int>(c))) {
       scored[candidate.item].push_back({static_cast<int>(c), candidate.score});
     }
@@ -159,16 +195,20 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
   keep_unique(scored, ontology);
   for (const auto& item : items) {
     Entity entity = make_entity(item, R);
-    double applies = upright;
-    if (!item.group) applies *= std::clamp(surfaces.surfaces[item.id].confidence, 0.0, 1.0);
-    distribute(entity, scored[item.id], ontology, applies);
+    if (!item.group) {
+      // A bent surface speaks against every flat thing, by at most four to one: floors of real scans are a little bent too.
+      const double bent = std::log(0.25 + 0.75 * std::clamp(surfaces.surfaces[item.id].confidence, 0.0, 1.0));
+      for (auto& s : scored[item.id]) s.score += bent;
+    }
+    distribute(entity, scored[item.id], ontology, upright);
     decide(entity, ontology, options);
+    name_the_part(entity, scored[item.id], ontology);
     const auto best = std::find_if(entity.classes.begin(), entity.classes.end(),
                                    [](const auto& c) { return c.name != "unknown"; });
     const std::string& proved = entity.label != "unknown" && entity.label != "ambiguous" ? entity.label
                                 : best != entity.classes.end()                           ? best->name
                                                                                          : entity.label;
-    if (const int c = ontology.find(proved); c >= 0) entity.proof = make_proof(matcher, ontology, c, item.id);
+    if (const int c = find(proved); c >= 0) entity.proof = make_proof(matcher, ontology, c, item.id);
     labelling.entities.push_back(std::move(entity));
   }
 
@@ -179,7 +219,7 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
   // Groups that are what they seem own their members; a member of two goes to the likelier group.
   std::vector<std::int32_t> groups;
   for (const auto& item : items) {
-    const int c = ontology.find(entities[item.id].label);
+    const int c = find(entities[item.id].label);
     if (item.group && c >= 0) groups.push_back(item.id);
   }
   std::stable_sort(groups.begin(), groups.end(), [&](std::int32_t a, std::int32_t b) {
@@ -203,7 +243,7 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
   // Parts go to their whole, the target of their first relation to it.
   for (std::size_t i = 0; i < matcher.surface_count(); ++i) {
     auto& entity = entities[i];
-    const int c = ontology.find(entity.label);
+    const int c = find(entity.label);
     if (c < 0 || ontology.classes[c].part_of.empty() || entity.whole >= 0) continue;
     for (const auto& clause : entity.proof) {
       if (clause.target_class != ontology.classes[c].part_of || clause.targets.empty()) continue;
@@ -218,7 +258,7 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
 
   // Faces of one thing: they meet at a right angle and are of one class that may have several faces.
   for (std::size_t i = 0; i < matcher.surface_count(); ++i) {
-    const int c = ontology.find(entities[i].label);
+    const int c = find(entities[i].label);
     if (c < 0 || !ontology.classes[c].several_faces || entities[i].whole >= 0) continue;
     for (std::size_t j = i + 1; j < matcher.surface_count(); ++j) {
       if (entities[j].label != entities[i].label || entities[j].whole >= 0) continue;

@@ -7,8 +7,9 @@
 
 namespace scanchor {
 
-/// Fills `entities` and `entity_of_surface`. `R_cloud_level` turns the items' frame back into the cloud's; `upright` in [0, 1] and
-/// each surface's confidence are probabilities that the description applies at all: the rest goes to "unknown".
+/// Fills `entities` and `entity_of_surface`. `R_cloud_level` turns the items' frame back into the cloud's; `upright` in [0, 1] is
+/// the probability that the description applies at all: the rest goes to "unknown". A low confidence of a surface counts against all
+/// classes, by at most four to one.
 void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontology& ontology, const ReasonOptions& options,
                    const Eigen::Matrix3d& R_cloud_level, double upright, Labelling& labelling);
 

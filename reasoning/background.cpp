@@ -1,6 +1,7 @@
 #include "reasoning/background.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace scanchor {
 
@@ -22,6 +23,33 @@ void apply_background(Ontology& ontology, const Background& background) {
   }
 }
 
+namespace {
+
+/// Share of [low, high] that a range covers, sizes being spread evenly over their logarithm: as many small things as large ones.
+double log_share(const Range& range, double low, double high) {
+  const double a = std::clamp(range.low, low, high);
+  const double b = std::clamp(range.high, low, high);
+  return std::clamp(std::log(b / a) / std::log(high / low), 0.02, 0.98);
+}
+
+/// What a random surface of a room satisfies, as long as nobody has counted: areas from 0.01 to 30 m2, lengths from 0.1 to 6 m.
+double feature_share(const Clause& clause) {
+  switch (clause.feature) {
+    case Feature::area: return log_share(clause.range, 0.01, 30.0);
+    case Feature::extension: return log_share(clause.range, 0.1, 6.0);
+    case Feature::width:
+    case Feature::height: return log_share(clause.range, 0.03, 6.0);
+    default: return 0.5;
+  }
+}
+
+/// Heights are spread evenly from the floor to 3 m; never below 0.1, since much of a room is at a few levels.
+double level_share(const Range& range) {
+  return std::clamp((std::clamp(range.high, 0.0, 3.0) - std::clamp(range.low, 0.0, 3.0)) / 3.0, 0.1, 0.98);
+}
+
+}  // namespace
+
 double default_hit_rate(const Clause& clause) {
   if (clause.usually) return 0.8;  // "usually" is taken at its word
   switch (clause.kind) {
@@ -37,7 +65,7 @@ double default_hit_rate(const Clause& clause) {
 }
 
 double default_background(const Clause& clause) {
-  // reasoning.md 2.4: area 0.2, parallel to a floor 0.4, orthogonal 0.5, above 0.15, on 0.05.
+  // Parallel to a floor 0.4, orthogonal 0.5, above 0.15, on 0.05: assumed shares of the surfaces of a room.
   const auto of_terms = [](const std::vector<RelationTerm>& terms) {
     double product = 1.0;
     for (const auto& term : terms) {
@@ -53,16 +81,14 @@ double default_background(const Clause& clause) {
         case Relation::lower: product *= 0.5; break;
         case Relation::elevation:
         case Relation::bottom:
-        case Relation::top: product *= 0.2; break;
+        case Relation::top: product *= level_share(term.range); break;
         default: product *= 0.15; break;
       }
     }
     return std::max(product, 0.02);
   };
   switch (clause.kind) {
-    case ClauseKind::feature:
-      // A one-sided clause is easier to satisfy than an interval.
-      return clause.range.has_low() && clause.range.has_high() ? 0.2 : 0.5;
+    case ClauseKind::feature: return feature_share(clause);
     case ClauseKind::horizontal: return 0.4;
     case ClauseKind::vertical: return 0.5;
     case ClauseKind::rectangular: return 0.5;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace scanchor {
 
@@ -13,12 +14,51 @@ constexpr std::size_t most_members = 32;  // the closure looks at all pairs
 
 double pair_value(const Clause& clause, const Item& a, const Item& b, const Surrounding& around) {
   double product = 1.0;
-  for (const auto& term : clause.pairwise) {
-    product *= relate(term, a, b, around).likelihood;
+  // The strictest first: most pairs are not stacked.
+  for (auto term = clause.pairwise.rbegin(); term != clause.pairwise.rend(); ++term) {
+    product *= relate(*term, a, b, around).likelihood;
     if (product < 1e-3) return product;
   }
   return product;
 }
+
+/// Stacked things lie within a metre of each other in the plan, so only neighbouring cells of a grid need be looked at, and of those
+/// the first `most_neighbours`: a stack of more is no furniture, and thousands of equal entities must not take all day.
+class Neighbours {
+ public:
+  static constexpr std::size_t most_neighbours = 400;
+
+  Neighbours(const std::vector<Item>& items, const std::vector<Member>& sorted, const Clause& clause) : count_(sorted.size()) {
+    for (const auto& term : clause.pairwise) stacked_ = stacked_ || term.relation == Relation::aligned;
+    for (std::size_t i = 0; stacked_ && i < sorted.size(); ++i) cells_[cell(items[sorted[i].item], 0, 0)].push_back(i);
+  }
+
+  [[nodiscard]] std::vector<std::size_t> of(const Item& seed) const {
+    std::vector<std::size_t> near;
+    if (!stacked_) {
+      near.resize(count_);
+      for (std::size_t i = 0; i < count_; ++i) near[i] = i;
+      return near;
+    }
+    for (int dx = -1; dx <= 1; ++dx) {
+      for (int dy = -1; dy <= 1; ++dy) {
+        const auto at = cells_.find(cell(seed, dx, dy));
+        if (at != cells_.end()) near.insert(near.end(), at->second.begin(), at->second.end());
+      }
+    }
+    std::sort(near.begin(), near.end());
+    if (near.size() > most_neighbours) near.resize(most_neighbours);
+    return near;
+  }
+
+ private:
+  static std::pair<long, long> cell(const Item& item, int dx, int dy) {
+    return {std::lround(std::floor(item.center.x())) + dx, std::lround(std::floor(item.center.y())) + dy};
+  }
+  std::map<std::pair<long, long>, std::vector<std::size_t>> cells_;
+  std::size_t count_ = 0;
+  bool stacked_ = false;
+};
 
 /// Order of seeds that depends on what the things are and not on how they are numbered.
 bool comes_first(const Item& a, const Item& b) {
@@ -56,6 +96,7 @@ std::vector<GroupFound> build_groups(const std::vector<Item>& items, const std::
             [&](const Member& a, const Member& b) { return comes_first(items[a.item], items[b.item]); });
   std::vector<bool> used(sorted.size(), false);
   std::vector<GroupFound> groups;
+  const Neighbours neighbours(items, sorted, clause);
   for (std::size_t s = 0; s < sorted.size(); ++s) {
     if (used[s]) continue;
     const Item& seed = items[sorted[s].item];
@@ -64,7 +105,7 @@ std::vector<GroupFound> build_groups(const std::vector<Item>& items, const std::
       double value;
     };
     std::vector<Near> near;
-    for (std::size_t i = 0; i < sorted.size(); ++i) {
+    for (const std::size_t i : neighbours.of(seed)) {
       if (used[i] || i == s) continue;
       const double value = pair_value(clause, items[sorted[i].item], seed, around);
       if (value >= pair_gate) near.push_back({i, value});

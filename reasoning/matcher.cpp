@@ -84,6 +84,8 @@ Matcher::Matcher(const Ontology& ontology, std::vector<Item> items, const Surrou
     class_of_name_.emplace(ontology.classes[c].name(), static_cast<int>(c));
     clauses_[c] = all_clauses(ontology, static_cast<int>(c));
     for (std::size_t i = 0; i < clauses_[c].size(); ++i) {
+      clauses_[c][i].hit_rate = hit_rate_of(clauses_[c][i]);  // once, not for every candidate
+      clauses_[c][i].background = background_of(clauses_[c][i]);
       if (clauses_[c][i].kind == ClauseKind::group) group_clause_[c] = static_cast<int>(i);
     }
   }

@@ -34,7 +34,9 @@ class Parser {
         continue;
       }
       if (line_.indent == 0) {
+        const std::size_t classes = ontology.classes.size();
         top_level(ontology, comments);
+        if (ontology.classes.size() == classes) continue;  // an import: what stands above it goes to the first class
       } else {
         indented(ontology, comments);
       }
@@ -310,8 +312,7 @@ class Parser {
     for (std::size_t i = 0; i + next_ < line_.tokens.size(); ++i) {
       if (at_word("each", i) && at_word("pair", i + 1)) return true;
     }
-    const std::size_t at = (at_word("at") && (at_word("least", 1) || at_word("most", 1))) || at_word("exactly") ? 0 : 9;
-    return at == 0;
+    return at_word("exactly") || (at_word("at") && (at_word("least", 1) || at_word("most", 1)));
   }
 
   int count() {
@@ -419,8 +420,7 @@ class Parser {
     for (const auto& word : relation_vocabulary()) {
       // The preposition may be left out where another relation follows: "orthogonal and above a desk".
       if (accept_words(word.words)) return {word.relation, {}};
-      const bool bare = !word.pair_words.empty() && at_word(std::string(word.pair_words)) && at_word("and", 1);
-      if (bare && accept_words(word.pair_words)) return {word.relation, {}};
+      if (at_word(word.pair_words) && at_word("and", 1) && accept(word.pair_words)) return {word.relation, {}};
     }
     std::vector<std::string> known;
     for (const auto& word : feature_vocabulary()) known.emplace_back(word.word);

@@ -27,7 +27,7 @@ std::string bare(Ontology ontology) {
 }
 
 TEST(OwlRead, RoundTripIsEqual) {
-  for (const std::string name : {"paper", "office"}) {
+  for (const std::string name : {"paper", "office", "home", "storage"}) {
     const auto ontology = test::shipped(name);
     EXPECT_EQ(bare(ontology_from_turtle(ontology_to_turtle(ontology), name + ".ttl")), bare(ontology));
   }

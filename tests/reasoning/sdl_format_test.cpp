@@ -40,7 +40,7 @@ class shelf, rack part of floor:  # head
 }
 
 TEST(SdlFormat, IdempotentAndFaithfulOnWhatIsShipped) {
-  for (const std::string name : {"paper", "office"}) {
+  for (const std::string name : {"paper", "office", "home", "storage"}) {
     const std::string path = std::string(SCANCHOR_SOURCE_DIR) + "/ontologies/" + name + ".sdl";
     const std::string once = format_sdl(read_file(path), path);
     EXPECT_EQ(format_sdl(once, path), once);
