@@ -67,7 +67,7 @@ class RawEmbree {
 
   void run() const {
     parallel_blocks(packets_.size(), 256, [&](std::size_t begin, std::size_t end) {
-      embree::Query query;
+      embree::Query query(true);
       alignas(64) int valid[16];
       for (int& lane : valid) lane = -1;
       for (std::size_t i = begin; i < end; ++i) {

@@ -1,5 +1,6 @@
 #include "sensors/kinematics.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/math.hpp"
@@ -141,6 +142,13 @@ double Kinematics::solid_angle(int line, int beam) const {
   return beam_step_ * line_step * std::fabs(beam_cos_[k]);
 }
 
+void Kinematics::solid_angles(int line, std::vector<double>& cells) const {
+  const auto count = static_cast<std::size_t>(options_.beams_per_line);
+  if (tilting_ && cells.size() == count) return;  // the same for every line
+  cells.resize(count);
+  for (std::size_t k = 0; k < count; ++k) cells[k] = solid_angle(line, static_cast<int>(k));
+}
+
 void Kinematics::local_directions(int line, BeamColumns& beams) const {
   const auto count = static_cast<std::size_t>(options_.beams_per_line);
   beams.resize(count);
@@ -179,21 +187,30 @@ void Kinematics::place(int line, double line_tilt, bool tilt_follows_beam, const
   // A spinning scanner's elevation is in its directions already.
   const auto [line_sin, line_cos] =
       options_.geometry == "spinning" ? SinCos{0.0, 1.0} : portable_sincos(line_tilt);
-  for (std::size_t k = 0; k < count; ++k) {
-    double x = beams.direction_x[k], y = beams.direction_y[k], z = beams.direction_z[k];
-    if (turned) {
-      const Eigen::Vector3d d = mount.rotation * Eigen::Vector3d(x, y, z);
-      x = d.x(), y = d.y(), z = d.z();
+  if (turned) {
+    for (std::size_t k = 0; k < count; ++k) {
+      const Eigen::Vector3d d = mount.rotation * beams.direction(k);
+      beams.direction_x[k] = d.x(), beams.direction_y[k] = d.y(), beams.direction_z[k] = d.z();
     }
-    const double c = tilt_follows_beam ? line_cos * skew_cos_[k] - line_sin * skew_sin_[k] : line_cos;
-    const double s = tilt_follows_beam ? line_sin * skew_cos_[k] + line_cos * skew_sin_[k] : line_sin;
-    // A positive tilt looks up: it turns x towards z.
-    beams.direction_x[k] = c * x - s * z;
-    beams.direction_y[k] = y;
-    beams.direction_z[k] = s * x + c * z;
-    beams.origin_x[k] = c * mount.offset.x() - s * mount.offset.z();
-    beams.origin_y[k] = mount.offset.y();
-    beams.origin_z[k] = s * mount.offset.x() + c * mount.offset.z();
+  }
+  // A positive tilt looks up: it turns x towards z. Plain pointers and no calls, so that the compiler can use vectors.
+  double* dx = beams.direction_x.data();
+  double* dz = beams.direction_z.data();
+  double* ox = beams.origin_x.data();
+  double* oz = beams.origin_z.data();
+  const double mx = mount.offset.x(), mz = mount.offset.z();
+  const double* skew_cos = skew_cos_.data();
+  const double* skew_sin = skew_sin_.data();
+  const double ls = line_sin, lc = line_cos;
+  std::fill(beams.origin_y.begin(), beams.origin_y.end(), mount.offset.y());
+  for (std::size_t k = 0; k < count; ++k) {
+    const double c = tilt_follows_beam ? lc * skew_cos[k] - ls * skew_sin[k] : lc;
+    const double s = tilt_follows_beam ? ls * skew_cos[k] + lc * skew_sin[k] : ls;
+    const double x = dx[k], z = dz[k];
+    dx[k] = c * x - s * z;
+    dz[k] = s * x + c * z;
+    ox[k] = c * mx - s * mz;
+    oz[k] = s * mx + c * mz;
   }
   if (!motion) return;
   for (std::size_t k = 0; k < count; ++k) {

@@ -47,6 +47,8 @@ class Kinematics {
   [[nodiscard]] double beam_angle(int beam) const;
   /// [sr] of the cell between a beam and its neighbours.
   [[nodiscard]] double solid_angle(int line, int beam) const;
+  /// The same for a whole line.
+  void solid_angles(int line, std::vector<double>& cells) const;
   /// Tilt speed [rad/s]; 0 where the geometry does not tilt.
   [[nodiscard]] double tilt_speed() const { return tilt_speed_; }
   [[nodiscard]] bool moves() const { return moves_; }

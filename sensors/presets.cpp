@@ -97,7 +97,7 @@ LidarOptions lms_5xx() {
   o.lines_per_second = 35.0;
   o.minimum_range = 0.7;
   o.maximum_range = 80.0;
-  o.range_sigma = 0.006;
+  noise(o, 0.006, 0.0006, -0.001);  // 6, 8, 14 mm in the bands to 10, 20, 30 m
   o.range_quantum = 0.001;
   o.divergence = 0.011;
   o.aperture = 0.013;

@@ -5,6 +5,7 @@
 
 #include "core/math.hpp"
 #include "core/random.hpp"
+#include "sensors/vector_rows.hpp"
 
 namespace scanchor {
 namespace {
@@ -56,18 +57,20 @@ RangeError::RangeError(const LidarOptions& options, std::uint64_t seed)
 }
 
 void RangeError::apply(int line, const LineReturns& returns, std::vector<double>& measured) const {
-  const CounterRandom noise(noise_seed_);
-  measured.resize(returns.size());
-  for (std::size_t k = 0; k < returns.size(); ++k) {
+  const std::size_t count = returns.size();
+  measured.resize(count);
+  std::vector<double> noise(count, 0.0);
+  const LidarOptions& o = options_;
+  if (o.range_sigma > 0.0 || o.range_slope > 0.0 || o.range_offset > 0.0 || o.snr_sigma > 0.0 ||
+      o.spread_noise > 0.0) {
+    normal_row(noise_seed_, static_cast<std::uint64_t>(line), count, noise.data());
+  }
+  for (std::size_t k = 0; k < count; ++k) {
     if (returns.triangle[k] == no_hit) continue;
     const double range = returns.range[k];
-    const double sigma =
-        range_noise_sigma(options_, range, returns.reflected[k], returns.cosine[k]);
-    double value = range + drift_ + wiggling(options_, range);
-    if (sigma > 0.0) {
-      value += sigma * noise.normal(static_cast<std::uint64_t>(line), static_cast<std::uint32_t>(k));
-    }
-    measured[k] = quantise(value, options_.range_quantum);
+    const double sigma = range_noise_sigma(o, range, returns.reflected[k], returns.cosine[k]);
+    const double value = range + drift_ + wiggling(o, range) + sigma * noise[k];
+    measured[k] = quantise(value, o.range_quantum);
   }
 }
 

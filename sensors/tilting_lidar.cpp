@@ -1,7 +1,6 @@
 #include "sensors/tilting_lidar.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/parallel.hpp"
 #include "sensors/beam_tracer.hpp"
@@ -11,6 +10,7 @@
 #include "sensors/line_returns.hpp"
 #include "sensors/portable_angle.hpp"
 #include "sensors/range_error.hpp"
+#include "sensors/vector_rows.hpp"
 
 namespace scanchor {
 namespace {
@@ -28,6 +28,7 @@ struct LineWork {
   BeamColumns believed;  // where the driver puts the points
   LineReturns returns;
   std::vector<double> measured;
+  std::vector<double> cells;  // [sr] of each beam
 };
 
 class Sweep {
@@ -50,10 +51,12 @@ class Sweep {
  private:
   void measure_line(int line, LineWork& work);
   void to_world(LineWork& work) const;
-  void note_reached(int line, const LineReturns& returns);
+  void note_reached(int line, LineWork& work);
   void drop_unseen(int line, LineReturns& returns) const;
   void trace_all_middles();
   void keep_points(int line, const LineWork& work);
+  void keep(int line, std::size_t k, std::size_t j, const LineWork& work);
+  void report_nothing(int line, std::size_t k, std::size_t j, const LineWork& work);
   void close_gaps();
   void sum_visibility();
 
@@ -128,7 +131,7 @@ void Sweep::measure_line(int line, LineWork& work) {
     tracer_.trace_middles(work.world, work.returns);
     tracer_.refine(line, work.world, {}, work.returns);
   }
-  note_reached(line, work.returns);
+  note_reached(line, work);
   drop_unseen(line, work.returns);
   range_error_.apply(line, work.returns, work.measured);
   if (!kinematics_.believes_truth()) kinematics_.believed_beams(line, work.believed);
@@ -138,33 +141,29 @@ void Sweep::measure_line(int line, LineWork& work) {
 void Sweep::to_world(LineWork& work) const {
   const auto count = static_cast<std::size_t>(options_.beams_per_line);
   work.world.resize(count);
-  const Eigen::Matrix3d R = T_world_sensor_.linear();
+  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> R = T_world_sensor_.linear();
   const Eigen::Vector3d t = T_world_sensor_.translation();
   const BeamColumns& b = work.beams;
   BeamColumns& w = work.world;
-  for (std::size_t k = 0; k < count; ++k) {
-    const double x = b.direction_x[k], y = b.direction_y[k], z = b.direction_z[k];
-    w.direction_x[k] = R(0, 0) * x + R(0, 1) * y + R(0, 2) * z;
-    w.direction_y[k] = R(1, 0) * x + R(1, 1) * y + R(1, 2) * z;
-    w.direction_z[k] = R(2, 0) * x + R(2, 1) * y + R(2, 2) * z;
-    const double ox = b.origin_x[k], oy = b.origin_y[k], oz = b.origin_z[k];
-    w.origin_x[k] = R(0, 0) * ox + R(0, 1) * oy + R(0, 2) * oz + t.x();
-    w.origin_y[k] = R(1, 0) * ox + R(1, 1) * oy + R(1, 2) * oz + t.y();
-    w.origin_z[k] = R(2, 0) * ox + R(2, 1) * oy + R(2, 2) * oz + t.z();
-  }
+  transform_row(R.data(), nullptr, b.direction_x.data(), b.direction_y.data(),
+                b.direction_z.data(), count, w.direction_x.data(), w.direction_y.data(),
+                w.direction_z.data());
+  transform_row(R.data(), t.data(), b.origin_x.data(), b.origin_y.data(), b.origin_z.data(),
+                count, w.origin_x.data(), w.origin_y.data(), w.origin_z.data());
 }
 
 /// Area of the faces that the beams of a line reached, lost pulses included.
-void Sweep::note_reached(int line, const LineReturns& r) {
+void Sweep::note_reached(int line, LineWork& work) {
+  const LineReturns& r = work.returns;
+  kinematics_.solid_angles(line, work.cells);
   const auto& surfaces = world_.surfaces();
   auto& runs = reached_[static_cast<std::size_t>(line)];
   for (std::size_t k = 0; k < r.size(); ++k) {
     if (r.triangle[k] == no_hit || (r.flags[k] & (point_ghost | point_behind_glass)) != 0) continue;
     const std::int32_t face = surfaces[r.triangle[k]].face;
     if (runs.empty() || runs.back().face != face) runs.push_back({face, 0.0});
-    runs.back().area += r.true_range[k] * r.true_range[k] *
-                        kinematics_.solid_angle(line, static_cast<int>(k)) /
-                        std::max(r.cosine[k], 0.01);
+    runs.back().area +=
+        r.true_range[k] * r.true_range[k] * work.cells[k] / std::max(r.cosine[k], 0.01);
   }
 }
 
@@ -181,43 +180,67 @@ void Sweep::drop_unseen(int line, LineReturns& r) const {
 void Sweep::keep_points(int line, const LineWork& work) {
   const auto count = static_cast<std::size_t>(options_.beams_per_line);
   const LineReturns& r = work.returns;
-  const BeamColumns& b = kinematics_.believes_truth() ? work.beams : work.believed;
-  const auto& surfaces = world_.surfaces();
   const std::size_t base = static_cast<std::size_t>(line) * count;
+  bool all = true;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double range = work.measured[k];
+    all = all && r.triangle[k] != no_hit && range >= options_.minimum_range &&
+          range <= options_.maximum_range;
+  }
   std::size_t j = base;
   for (std::size_t k = 0; k < count; ++k) {
     const bool hit = r.triangle[k] != no_hit;
-    double range = hit ? work.measured[k] : options_.maximum_range;
-    PointTruth& truth = scan_.truth;
-    const bool in_range = hit && range >= options_.minimum_range && range <= options_.maximum_range;
-    if (in_range) {
-      const SurfaceRecord& s = surfaces[r.triangle[k]];
-      truth.class_id[j] = s.class_id;
-      truth.instance[j] = s.instance_id;
-      truth.part[j] = s.part;
-      truth.face[j] = s.face;
-      truth.runner_up[j] = r.runner_up[k] == no_hit ? -1 : surfaces[r.runner_up[k]].instance_id;
-      truth.flags[j] = r.flags[k];
-      truth.true_range[j] = static_cast<float>(r.true_range[k]);
-      truth.incidence[j] = static_cast<float>(angle_of_cosine(r.cosine[k]));
-      (*intensity_)[j] = static_cast<float>(r.reflected[k]);
+    const double range = hit ? work.measured[k] : options_.maximum_range;
+    if (all || (hit && range >= options_.minimum_range && range <= options_.maximum_range)) {
+      keep(line, k, j++, work);
     } else if (options_.report_maximum && (!hit || range > options_.maximum_range)) {
-      range = options_.maximum_range;
-      truth.class_id[j] = unlabelled;
-      truth.instance[j] = truth.part[j] = truth.face[j] = truth.runner_up[j] = -1;
-      truth.flags[j] = point_out_of_range;
-      truth.true_range[j] = 0.0F;
-      truth.incidence[j] = 0.0F;
-      (*intensity_)[j] = 0.0F;
-    } else {
-      continue;
+      report_nothing(line, k, j++, work);
     }
-    scan_.cloud.points[j] = b.origin(k) + range * b.direction(k);
-    scan_.line[j] = line;
-    scan_.beam[j] = static_cast<std::int32_t>(k);
-    ++j;
+  }
+  if (all) {
+    angle_row(r.cosine.data(), count, scan_.truth.incidence.data() + base);
+  } else {
+    for (std::size_t i = base; i < j; ++i) {
+      if (scan_.truth.face[i] < 0) continue;
+      const auto k = static_cast<std::size_t>(scan_.beam[i]);
+      scan_.truth.incidence[i] = static_cast<float>(angle_of_cosine(r.cosine[k]));
+    }
   }
   kept_[static_cast<std::size_t>(line)] = j - base;
+}
+
+/// Everything of a return but its incidence, which is worked out for the whole line.
+inline void Sweep::keep(int line, std::size_t k, std::size_t j, const LineWork& work) {
+  const LineReturns& r = work.returns;
+  const BeamColumns& b = kinematics_.believes_truth() ? work.beams : work.believed;
+  const SurfaceRecord& s = world_.surfaces()[r.triangle[k]];
+  PointTruth& truth = scan_.truth;
+  scan_.cloud.points[j] = b.origin(k) + work.measured[k] * b.direction(k);
+  scan_.line[j] = line;
+  scan_.beam[j] = static_cast<std::int32_t>(k);
+  truth.class_id[j] = s.class_id;
+  truth.instance[j] = s.instance_id;
+  truth.part[j] = s.part;
+  truth.face[j] = s.face;
+  truth.runner_up[j] =
+      r.runner_up[k] == no_hit ? -1 : world_.surfaces()[r.runner_up[k]].instance_id;
+  truth.flags[j] = r.flags[k];
+  truth.true_range[j] = static_cast<float>(r.true_range[k]);
+  (*intensity_)[j] = static_cast<float>(r.reflected[k]);
+}
+
+/// A beam without return, at the maximum range.
+void Sweep::report_nothing(int line, std::size_t k, std::size_t j, const LineWork& work) {
+  const BeamColumns& b = kinematics_.believes_truth() ? work.beams : work.believed;
+  PointTruth& truth = scan_.truth;
+  scan_.cloud.points[j] = b.origin(k) + options_.maximum_range * b.direction(k);
+  scan_.line[j] = line;
+  scan_.beam[j] = static_cast<std::int32_t>(k);
+  truth.class_id[j] = unlabelled;
+  truth.instance[j] = truth.part[j] = truth.face[j] = truth.runner_up[j] = -1;
+  truth.flags[j] = point_out_of_range;
+  truth.true_range[j] = truth.incidence[j] = 0.0F;
+  (*intensity_)[j] = 0.0F;
 }
 
 void Sweep::close_gaps() {

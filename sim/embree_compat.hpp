@@ -13,12 +13,12 @@
 namespace scanchor::embree {
 
 #if SCANCHOR_EMBREE_MAJOR >= 4
-/// What every query takes beside its rays, with the coherent flag set: without it packets run at the speed of single rays.
+/// What every query takes beside its rays. Without the coherent flag packets run at the speed of single rays.
 struct Query {
   RTCIntersectArguments arguments;
-  Query() {
+  explicit Query(bool coherent = true) {
     rtcInitIntersectArguments(&arguments);
-    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    arguments.flags = coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
   }
 };
 inline void intersect(RTCScene scene, Query& q, RTCRayHit& r) { rtcIntersect1(scene, &r, &q.arguments); }
@@ -32,12 +32,12 @@ inline void intersect(const int* valid, RTCScene scene, Query& q, RTCRayHit16& r
   rtcIntersect16(valid, scene, &r, &q.arguments);
 }
 #else
-/// What every query takes beside its rays, with the coherent flag set: without it packets run at the speed of single rays.
+/// What every query takes beside its rays. Without the coherent flag packets run at the speed of single rays.
 struct Query {
   RTCIntersectContext context;
-  Query() {
+  explicit Query(bool coherent = true) {
     rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   }
 };
 inline void intersect(RTCScene scene, Query& q, RTCRayHit& r) { rtcIntersect1(scene, &q.context, &r); }

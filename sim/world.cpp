@@ -219,11 +219,20 @@ template <int width>
 void World::Impl::trace_packets(const RayColumns& rays, std::uint32_t* triangle,
                                 float tnear) const {
   using Type = typename Packet<width>::Type;
-  embree::Query query;
-  alignas(64) Type packet;
+  embree::Query coherent(true), incoherent(false);
+  alignas(64) Type packet{};  // lanes beyond the end must hold numbers too
   alignas(64) int valid[width];
-  for (std::size_t first = 0; first < rays.count; first += width) {
-    const int n = static_cast<int>(std::min<std::size_t>(width, rays.count - first));
+  for (int i = 0; i < width; ++i) {  // what Embree only reads
+    packet.ray.tnear[i] = tnear;
+    packet.ray.time[i] = 0.0F;
+    packet.ray.mask[i] = 0xffffffffU;
+    packet.ray.id[i] = 0;
+    packet.ray.flags[i] = 0;
+    packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+    valid[i] = -1;
+  }
+  // Of a full packet the number of rays is known to the compiler, and the conversions become vectors.
+  const auto fill = [&](std::size_t first, int n) {
     for (int i = 0; i < n; ++i) {
       const std::size_t k = first + static_cast<std::size_t>(i);
       packet.ray.org_x[i] = static_cast<float>(rays.origin_x[k]);
@@ -233,26 +242,36 @@ void World::Impl::trace_packets(const RayColumns& rays, std::uint32_t* triangle,
       packet.ray.dir_y[i] = static_cast<float>(rays.direction_y[k]);
       packet.ray.dir_z[i] = static_cast<float>(rays.direction_z[k]);
     }
+  };
+  for (std::size_t first = 0; first < rays.count; first += width) {
+    const int n = static_cast<int>(std::min<std::size_t>(width, rays.count - first));
+    if (n == width) {
+      fill(first, width);
+    } else {
+      fill(first, n);
+      for (int i = n; i < width; ++i) valid[i] = 0;
+    }
     for (int i = 0; i < width; ++i) {
-      packet.ray.tnear[i] = tnear;
       packet.ray.tfar[i] = infinity;
-      packet.ray.time[i] = 0.0F;
-      packet.ray.mask[i] = 0xffffffffU;
-      packet.ray.id[i] = 0;
-      packet.ray.flags[i] = 0;
       packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
       packet.hit.primID[i] = RTC_INVALID_GEOMETRY_ID;
-      packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
-      valid[i] = i < n ? -1 : 0;
     }
-    embree::intersect(valid, embree, query, packet);
+    // The frustum of a coherent packet is built for rays from one point. With several origins, whether a ray that passes close to an
+    // edge is culled was seen to depend on its neighbours in the packet.
+    bool one_origin = true;
+    for (int i = 0; i < n; ++i) {
+      one_origin = one_origin && packet.ray.org_x[i] == packet.ray.org_x[0] &&
+                   packet.ray.org_y[i] == packet.ray.org_y[0] &&
+                   packet.ray.org_z[i] == packet.ray.org_z[0];
+    }
+    embree::intersect(valid, embree, one_origin ? coherent : incoherent, packet);
     // An untouched primID is RTC_INVALID_GEOMETRY_ID, which is our no_hit.
     for (int i = 0; i < n; ++i) triangle[first + static_cast<std::size_t>(i)] = packet.hit.primID[i];
   }
 }
 
 void World::Impl::trace_single(const RayColumns& rays, std::uint32_t* triangle, float tnear) const {
-  embree::Query query;
+  embree::Query query(false);
   for (std::size_t k = 0; k < rays.count; ++k) {
     RTCRayHit one{};
     one.ray.org_x = static_cast<float>(rays.origin_x[k]);
