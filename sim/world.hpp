@@ -48,8 +48,8 @@ struct WorldOptions {
 /// The plane of a triangle: normal . x = offset. All triangles of a planar face carry the same bits, so a range does not depend on
 /// which of them was hit.
 struct TrianglePlane {
-  Eigen::Vector3d normal;  ///< unit, outwards
-  double offset;           ///< [m]
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, outwards
+  double offset = 0.0;  ///< [m]
 };
 
 /// All that a beam needs to know about the triangle it met, in one cache line.
