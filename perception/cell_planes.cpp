@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "perception/chi_square.hpp"
+#include "perception/join_planes.hpp"
 
 namespace scanchor {
 namespace {
@@ -97,16 +98,6 @@ bool continues(const GrownPlane& region, const Moments& cell, double sigma) {
          slack * sigma2 * (chi_square_factor(cell.n, z_flat) + 4.0 * std::min(leverage, 1.0));
 }
 
-// Are two regions one plane? The squares may grow by what three freed parameters take up (chi-square, 0.1 %) and by a tenth of
-// the smaller region's noise.
-bool same_plane(const GrownPlane& a, const GrownPlane& b, double sigma) {
-  Moments both = a.moments;
-  both.add(b.moments);
-  const double squares = both.n * fit_plane_fast(both).variances[0];
-  const double apart = a.moments.n * a.plane.variances[0] + b.moments.n * b.plane.variances[0];
-  return squares - apart <= sigma * sigma * (16.3 + 0.1 * std::min(a.moments.n, b.moments.n));
-}
-
 }  // namespace
 
 GrownPlane grown_plane(const Moments& moments, double sigma) {
@@ -162,34 +153,25 @@ PlaneLabels cell_planes(const CanonicalCloud& cloud, const CellTree& tree, doubl
     planes.push_back(grown_plane(grown.moments, sigma));
   }
 
-  // Join what grew from two seeds. The parent of a region is a smaller number: the larger seed.
-  std::vector<std::int32_t> parent(planes.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](std::int32_t r) {
-    while (parent[static_cast<std::size_t>(r)] != r) r = parent[static_cast<std::size_t>(r)];
-    return r;
-  };
+  // Join what grew from two seeds; a region's number is smaller the larger its seed was.
+  std::vector<std::pair<std::int32_t, std::int32_t>> touching;
   for (std::uint32_t f = 0; f < flat.size(); ++f) {
     for (auto k = links.start[f]; k < links.start[f + 1]; ++k) {
-      auto a = root(region[f]), b = root(region[links.to[k]]);
-      if (a == b) continue;
-      if (a > b) std::swap(a, b);
-      auto &pa = planes[static_cast<std::size_t>(a)], &pb = planes[static_cast<std::size_t>(b)];
-      if (!same_plane(pa, pb, sigma)) continue;
-      Moments both = pa.moments;
-      both.add(pb.moments);
-      pa = grown_plane(both, sigma);
-      parent[static_cast<std::size_t>(b)] = a;
+      const auto a = region[f], b = region[links.to[k]];
+      if (a < b) touching.emplace_back(a, b);
     }
   }
+  std::sort(touching.begin(), touching.end());
+  touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
+  const auto into = join_planes(touching, sigma, same_plane, planes);
   std::vector<std::int32_t> number(planes.size(), -1);
   for (std::size_t r = 0; r < planes.size(); ++r) {
-    if (parent[r] != static_cast<std::int32_t>(r)) continue;
+    if (into[r] != static_cast<std::int32_t>(r)) continue;
     number[r] = static_cast<std::int32_t>(labels.planes.size());
     labels.planes.push_back(planes[r]);
   }
   for (std::uint32_t f = 0; f < flat.size(); ++f) {
-    const auto id = number[static_cast<std::size_t>(root(region[f]))];
+    const auto id = number[static_cast<std::size_t>(into[static_cast<std::size_t>(region[f])])];
     region_of_cell[flat[f].cell] = id;
     const GrownPlane& grown = labels.planes[static_cast<std::size_t>(id)];
     const Eigen::Vector3f normal = grown.plane.normal.cast<float>();

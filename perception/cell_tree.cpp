@@ -9,7 +9,7 @@ constexpr int shift_of(int level) { return 3 * (CanonicalCloud::levels - level);
 
 }  // namespace
 
-CellTree cell_tree(const CanonicalCloud& cloud, std::uint32_t largest) {
+CellTree cell_tree(const CanonicalCloud& cloud, std::uint32_t largest, double least_side) {
   CellTree tree;
   const auto n = static_cast<std::uint32_t>(cloud.size());
   if (n == 0) return tree;
@@ -19,6 +19,7 @@ CellTree cell_tree(const CanonicalCloud& cloud, std::uint32_t largest) {
     const Cell cell = tree.cells[i];
     if (cell.size() <= largest || cell.level == CanonicalCloud::levels) continue;
     const int level = cell.level + 1;
+    if (cloud.cell_side(level) < least_side) continue;
     const int shift = shift_of(level);
     tree.cells[i].child = static_cast<std::uint32_t>(tree.cells.size());
     std::uint32_t begin = cell.begin;

@@ -35,16 +35,22 @@ struct CellTree {
       if (cell.children == 0 || cell.level >= level || stop(at)) return at;
       const auto octant = static_cast<unsigned>(code >> (3 * (CanonicalCloud::levels - 1 - cell.level))) & 7U;
       if (!(cell.octants >> octant & 1U)) return none;
-      at = cell.child + static_cast<std::uint32_t>(std::popcount(cell.octants & ((1U << octant) - 1U)));
+      at = cell.child + count_bits[cell.octants & ((1U << octant) - 1U)];
     }
   }
   static constexpr std::uint32_t none = 0xFFFFFFFF;
+  /// Bits set in a byte: the base instruction set has none for it, and a call costs more than the rest of `find`.
+  static constexpr std::array<std::uint8_t, 256> count_bits = [] {
+    std::array<std::uint8_t, 256> bits{};
+    for (unsigned i = 0; i < 256; ++i) bits[i] = static_cast<std::uint8_t>(std::popcount(i));
+    return bits;
+  }();
 
   /// Codes of the up to 26 places one cell's side away from cell `at`, in all directions; returns their number.
   int neighbour_codes(const CanonicalCloud& cloud, std::uint32_t at, std::array<std::uint64_t, 26>& codes) const;
 };
 
-/// Splits cells of more than `largest` points. Time and memory O(n).
-CellTree cell_tree(const CanonicalCloud& cloud, std::uint32_t largest = 8);
+/// Splits cells of more than `largest` points whose children are not smaller than `least_side` [m]. Time and memory O(n).
+CellTree cell_tree(const CanonicalCloud& cloud, std::uint32_t largest = 8, double least_side = 0.0);
 
 }  // namespace scanchor

@@ -15,37 +15,63 @@ namespace scanchor {
 
 void collect_surfaces(const PointCloud& cloud, const PlaneInput& input,
                       const std::vector<std::int32_t>& region_of, Surfaces& surfaces) {
-  std::int32_t regions = 0;
-  for (const auto region : region_of) regions = std::max(regions, region + 1);
-  std::vector<std::vector<std::uint32_t>> inliers(static_cast<std::size_t>(regions));
   const auto& canonical = input.cloud;
+  std::size_t regions = 0;
+  for (const auto region : region_of) regions = std::max(regions, static_cast<std::size_t>(region + 1));
+  // Sums run over the canonical order, so that the last bit of a plane does not depend on the order of the input.
+  const Eigen::Vector3d origin = canonical.T_cloud_canonical.translation();
+  std::vector<Moments> moments(regions);
+  std::vector<std::uint32_t> count(regions, 0);
   for (std::size_t i = 0; i < region_of.size(); ++i) {
     if (region_of[i] < 0) continue;
-    auto& list = inliers[static_cast<std::size_t>(region_of[i])];
-    for (auto s = canonical.first[i]; s < canonical.first[i + 1]; ++s) list.push_back(canonical.source[s]);
-  }
-  // Sums run over the canonical order, so that the last bit of a plane does not depend on the order of the input; only then are
-  // the indices sorted.
-  const double floor = least_noise(canonical, input.spacing);
-  for (auto& list : inliers) {
-    if (list.size() < 3) continue;
-    Surface surface;
-    surface.plane = fit_plane(cloud.points, list, surfaces.sensor_positions, floor);
-    surface.T_cloud_surface = surface_frame(surface.plane, cloud.points, list);
-    surface.confidence = plane_confidence(surface.plane, cloud.points, list, floor);
-    std::sort(list.begin(), list.end());
-    surface.inliers = std::move(list);
-    surfaces.surfaces.push_back(std::move(surface));
-  }
-  std::sort(surfaces.surfaces.begin(), surfaces.surfaces.end(), [](const Surface& a, const Surface& b) {
-    if (a.inliers.size() != b.inliers.size()) return a.inliers.size() > b.inliers.size();
-    return a.inliers.front() < b.inliers.front();
-  });
-  for (std::size_t s = 0; s < surfaces.surfaces.size(); ++s) {
-    surfaces.surfaces[s].id = static_cast<std::int32_t>(s);
-    for (const auto i : surfaces.surfaces[s].inliers) {
-      surfaces.plane_of_point[i] = static_cast<std::int32_t>(s);
+    const auto r = static_cast<std::size_t>(region_of[i]);
+    const Eigen::Vector3d d = cloud.points[canonical.source[canonical.first[i]]] - origin;
+    moments[r].add(d.x(), d.y(), d.z());
+    for (auto s = canonical.first[i]; s < canonical.first[i + 1]; ++s) {
+      surfaces.plane_of_point[canonical.source[s]] = region_of[i];
+      ++count[r];
     }
+  }
+  const double floor = least_noise(canonical, input.spacing);
+  std::vector<Surface> found(regions);
+  for (std::size_t r = 0; r < regions; ++r) {
+    if (moments[r].n < 3.0) continue;
+    const MomentPlane fit = fit_plane(moments[r]);
+    found[r].plane = plane_from_moments(moments[r], fit, origin, surfaces.sensor_positions, floor);
+    found[r].T_cloud_surface = surface_frame(found[r].plane, fit.axes.col(2));
+    found[r].inliers.reserve(count[r]);
+  }
+  // Some 2000 points of a surface, evenly along the canonical order, tell whether it bends.
+  std::vector<BendTest> bend(regions);
+  std::vector<std::uint32_t> seen(regions, 0);
+  for (std::size_t i = 0; i < region_of.size(); ++i) {
+    if (region_of[i] < 0) continue;
+    const auto r = static_cast<std::size_t>(region_of[i]);
+    if (seen[r]++ % (1 + count[r] / 2048) != 0) continue;
+    const Eigen::Vector3d d = cloud.points[canonical.source[canonical.first[i]]] - found[r].plane.centroid;
+    const auto axes = found[r].T_cloud_surface.linear();
+    bend[r].add(axes.col(0).dot(d), axes.col(1).dot(d), axes.col(2).dot(d));
+  }
+  for (std::size_t i = 0; i < surfaces.plane_of_point.size(); ++i) {  // in the input's order: rising
+    const auto region = surfaces.plane_of_point[i];
+    if (region >= 0) found[static_cast<std::size_t>(region)].inliers.push_back(static_cast<std::uint32_t>(i));
+  }
+  std::vector<std::size_t> order;
+  for (std::size_t r = 0; r < regions; ++r) {
+    if (moments[r].n >= 3.0) order.push_back(r);
+  }
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    if (found[a].inliers.size() != found[b].inliers.size()) return found[a].inliers.size() > found[b].inliers.size();
+    return found[a].inliers.front() < found[b].inliers.front();
+  });
+  std::vector<std::int32_t> id_of(regions, -1);
+  for (const auto r : order) {
+    found[r].id = id_of[r] = static_cast<std::int32_t>(surfaces.surfaces.size());
+    found[r].confidence = bend[r].confidence(floor);
+    surfaces.surfaces.push_back(std::move(found[r]));
+  }
+  for (auto& plane : surfaces.plane_of_point) {
+    if (plane >= 0) plane = id_of[static_cast<std::size_t>(plane)];
   }
 }
 

@@ -5,29 +5,8 @@
 #include <cassert>
 #include <cmath>
 
-#include "perception/moments.hpp"
-
 namespace scanchor {
 namespace {
-
-using Matrix6d = Eigen::Matrix<double, 6, 6>;
-using Vector6d = Eigen::Matrix<double, 6, 1>;
-
-MomentPlane local_plane(const std::vector<Eigen::Vector3d>& points,
-                        const std::vector<std::uint32_t>& inliers, Eigen::Vector3d& mean) {
-  assert(!inliers.empty());
-  // Twice: the second pass sums about the mean, so that nothing cancels on long, thin, exactly flat patches.
-  const Eigen::Vector3d first = points[inliers[0]];
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const auto i : inliers) sum += points[i] - first;
-  mean = first + sum / static_cast<double>(inliers.size());
-  Moments moments;
-  for (const auto i : inliers) {
-    const Eigen::Vector3d d = points[i] - mean;
-    moments.add(d.x(), d.y(), d.z());
-  }
-  return fit_plane(moments);
-}
 
 bool faces_away(const Eigen::Vector3d& normal, const Eigen::Vector3d& centroid,
                 const std::vector<Eigen::Vector3d>& sensors) {
@@ -44,11 +23,11 @@ bool faces_away(const Eigen::Vector3d& normal, const Eigen::Vector3d& centroid,
 
 }  // namespace
 
-Plane fit_plane(const std::vector<Eigen::Vector3d>& points, const std::vector<std::uint32_t>& inliers,
-                const std::vector<Eigen::Vector3d>& sensors, double noise_floor) {
+Plane plane_from_moments(const Moments& moments, const MomentPlane& fit, const Eigen::Vector3d& origin,
+                         const std::vector<Eigen::Vector3d>& sensors, double noise_floor) {
   Plane plane;
-  const MomentPlane fit = local_plane(points, inliers, plane.centroid);
-  const double n = static_cast<double>(inliers.size());
+  plane.centroid = origin + moments.mean();
+  const double n = moments.n;
   const double unbiased = n > 3.0 ? n / (n - 3.0) : n;
   const double variance = std::max(fit.variances[0] * unbiased, noise_floor * noise_floor);
   plane.normal = faces_away(fit.normal, plane.centroid, sensors) ? Eigen::Vector3d(-fit.normal) : fit.normal;
@@ -63,11 +42,24 @@ Plane fit_plane(const std::vector<Eigen::Vector3d>& points, const std::vector<st
   return plane;
 }
 
-Eigen::Isometry3d surface_frame(const Plane& plane, const std::vector<Eigen::Vector3d>& points,
-                                const std::vector<std::uint32_t>& inliers) {
-  Eigen::Vector3d mean;
-  const MomentPlane fit = local_plane(points, inliers, mean);
-  Eigen::Vector3d x = fit.axes.col(2) - plane.normal * plane.normal.dot(fit.axes.col(2));
+Plane fit_plane(const std::vector<Eigen::Vector3d>& points, const std::vector<std::uint32_t>& inliers,
+                const std::vector<Eigen::Vector3d>& sensors, double noise_floor) {
+  assert(!inliers.empty());
+  // Twice: the second pass sums about the mean, so that nothing cancels on long, thin, exactly flat patches.
+  const Eigen::Vector3d first = points[inliers[0]];
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const auto i : inliers) sum += points[i] - first;
+  const Eigen::Vector3d mean = first + sum / static_cast<double>(inliers.size());
+  Moments moments;
+  for (const auto i : inliers) {
+    const Eigen::Vector3d d = points[i] - mean;
+    moments.add(d.x(), d.y(), d.z());
+  }
+  return plane_from_moments(moments, fit_plane(moments), mean, sensors, noise_floor);
+}
+
+Eigen::Isometry3d surface_frame(const Plane& plane, const Eigen::Vector3d& long_axis) {
+  Eigen::Vector3d x = long_axis - plane.normal * plane.normal.dot(long_axis);
   x.normalize();
   Eigen::Index largest = 0;
   x.cwiseAbs().maxCoeff(&largest);
@@ -80,34 +72,39 @@ Eigen::Isometry3d surface_frame(const Plane& plane, const std::vector<Eigen::Vec
   return frame;
 }
 
-double plane_confidence(const Plane& plane, const std::vector<Eigen::Vector3d>& points,
-                        const std::vector<std::uint32_t>& inliers, double noise_floor) {
-  const double n = static_cast<double>(inliers.size());
-  if (n < 8.0) return n / 16.0;  // six numbers are fitted below: with fewer points nothing can be said
-  const Eigen::Vector3d x = plane.normal.unitOrthogonal();
-  const Eigen::Vector3d y = plane.normal.cross(x);
-  double extent2 = 1e-300;
-  for (const auto i : inliers) extent2 = std::max(extent2, (points[i] - plane.centroid).squaredNorm());
-  const double scale = 1.0 / std::sqrt(extent2);
-  Matrix6d normal_matrix = Matrix6d::Zero();
-  Vector6d right = Vector6d::Zero();
-  double total = 0.0;
-  for (const auto i : inliers) {
-    const Eigen::Vector3d d = points[i] - plane.centroid;
-    const double u = scale * x.dot(d), v = scale * y.dot(d), w = plane.normal.dot(d);
-    Vector6d row;
-    row << 1.0, u, v, u * u, u * v, v * v;
-    normal_matrix.selfadjointView<Eigen::Lower>().rankUpdate(row);
-    right += w * row;
-    total += w * w;
+void BendTest::add(double u, double v, double w) {
+  n_ += 1.0;
+  total_ += w * w;
+  double ui = 1.0;
+  for (int i = 0; i <= 4; ++i) {
+    double uivj = ui;
+    for (int j = 0; i + j <= 4; ++j) {
+      power_[i][j] += uivj;
+      uivj *= v;
+    }
+    ui *= u;
   }
-  normal_matrix = normal_matrix.selfadjointView<Eigen::Lower>();
-  const Vector6d solution = normal_matrix.ldlt().solve(right);
-  const double explained = std::clamp(solution.dot(right), 0.0, total);
+  const double terms[6] = {1.0, u, v, u * u, u * v, v * v};
+  for (int k = 0; k < 6; ++k) right_[k] += w * terms[k];
+}
+
+double BendTest::confidence(double noise_floor) const {
+  if (n_ < 8.0) return n_ / 16.0;  // six numbers are fitted below: with fewer points nothing can be said
+  constexpr int order_u[6] = {0, 1, 0, 2, 1, 0}, order_v[6] = {0, 0, 1, 0, 1, 2};
+  Eigen::Matrix<double, 6, 6> normal_matrix;
+  Eigen::Matrix<double, 6, 1> right, scale;
+  for (int k = 0; k < 6; ++k) {
+    right[k] = right_[k];
+    scale[k] = 1.0 / std::sqrt(std::max(power_[2 * order_u[k]][2 * order_v[k]], 1e-300));
+    for (int l = 0; l < 6; ++l) normal_matrix(k, l) = power_[order_u[k] + order_u[l]][order_v[k] + order_v[l]];
+  }
+  normal_matrix = scale.asDiagonal() * normal_matrix * scale.asDiagonal();  // columns of length one
+  right = scale.cwiseProduct(right);
+  const double explained = std::clamp(normal_matrix.ldlt().solve(right).dot(right), 0.0, total_);
   const double floor2 = std::max(noise_floor * noise_floor, 1e-18);
-  const double left = std::max((total - explained) / std::max(n - 6.0, 1.0), floor2);
+  const double left = std::max((total_ - explained) / std::max(n_ - 6.0, 1.0), floor2);
   // Noise alone explains 3 of n degrees of freedom, with a standard deviation of sqrt(6): chi-square.
-  const double bend = std::max(0.0, explained / n - left * (3.0 + 2.0 * std::sqrt(6.0)) / n);
+  const double bend = std::max(0.0, explained / n_ - left * (3.0 + 2.0 * std::sqrt(6.0)) / n_);
   const double ratio = bend / (0.16 * left);
   return 1.0 / (1.0 + ratio * ratio);
 }

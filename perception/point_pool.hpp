@@ -22,8 +22,8 @@ struct PointPool {
   [[nodiscard]] const Cell& cell(std::uint32_t leaf_index) const { return tree.cells[leaf[leaf_index]]; }
 };
 
-/// `region_of_cell`: of the whole cloud's tree, from cell_planes.
+/// Leaves hold up to 6 points, more where the noise would drown them (sides under 2.5 sigma). `region_of_cell`: of the whole cloud's tree, from cell_planes.
 PointPool point_pool(const CanonicalCloud& cloud, const CellTree& tree, const PlaneLabels& labels,
-                     const std::vector<std::int32_t>& region_of_cell);
+                     const std::vector<std::int32_t>& region_of_cell, double sigma);
 
 }  // namespace scanchor

@@ -1,0 +1,59 @@
+#include "perception/join_planes.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace scanchor {
+namespace {
+
+// Variance of a plane's height at a place, in units of the noise variance, from its own points alone.
+double leverage(const GrownPlane& grown, const Eigen::Vector3d& at) {
+  const Eigen::Vector3d out = at - grown.moments.mean();
+  const double u = grown.plane.axes.col(1).dot(out), v = grown.plane.axes.col(2).dot(out);
+  return (1.0 + u * u / std::max(grown.plane.variances[1], 1e-30) +
+          v * v / std::max(grown.plane.variances[2], 1e-30)) / grown.moments.n;
+}
+
+}  // namespace
+
+bool same_plane(const GrownPlane& a, const GrownPlane& b, double /*sigma*/) {
+  Moments both = a.moments;
+  both.add(b.moments);
+  const double squares = both.n * fit_plane_fast(both).variances[0];
+  const double apart = a.moments.n * a.plane.variances[0] + b.moments.n * b.plane.variances[0];
+  // At grazing incidence the scatter across a plane is far below the range noise: what the two themselves show counts.
+  const double scatter = std::max(a.sigma, b.sigma);
+  return squares - apart <= scatter * scatter * (16.3 + 0.1 * std::min(a.moments.n, b.moments.n));
+}
+
+bool surely_same_plane(const GrownPlane& a, const GrownPlane& b, double sigma) {
+  const double known = 0.25 * sigma * sigma;  // (half a sigma)^2
+  return a.sigma * a.sigma * leverage(a, b.moments.mean()) < known &&
+         b.sigma * b.sigma * leverage(b, a.moments.mean()) < known && same_plane(a, b, sigma);
+}
+
+std::vector<std::int32_t> join_planes(const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs, double sigma,
+                                      bool (*same)(const GrownPlane&, const GrownPlane&, double),
+                                      std::vector<GrownPlane>& planes) {
+  std::vector<std::int32_t> into(planes.size());
+  std::iota(into.begin(), into.end(), 0);
+  const auto root = [&](std::int32_t r) {
+    while (into[static_cast<std::size_t>(r)] != r) r = into[static_cast<std::size_t>(r)];
+    return r;
+  };
+  for (const auto& [i, j] : pairs) {
+    auto a = root(i), b = root(j);
+    if (a == b) continue;
+    if (a > b) std::swap(a, b);
+    auto &pa = planes[static_cast<std::size_t>(a)], &pb = planes[static_cast<std::size_t>(b)];
+    if (pa.moments.n < 3.0 || pb.moments.n < 3.0 || !same(pa, pb, sigma)) continue;
+    Moments both = pa.moments;
+    both.add(pb.moments);
+    pa = grown_plane(both, sigma);
+    into[static_cast<std::size_t>(b)] = a;
+  }
+  for (std::size_t r = 0; r < into.size(); ++r) into[r] = root(static_cast<std::int32_t>(r));
+  return into;
+}
+
+}  // namespace scanchor

@@ -1,0 +1,93 @@
+#include "perception/surfels.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.hpp"
+
+namespace scanchor {
+namespace {
+
+struct Patch {
+  std::vector<float> x, y, z;
+  void clear() {
+    x.clear();
+    y.clear();
+    z.clear();
+  }
+};
+
+Surfel fit_surfel(const Patch& patch, double sigma) {
+  constexpr double breadth = 4.0, fewest = 6.0;
+  const double reach = 2.5 * sigma;
+  Surfel surfel;
+  Moments moments;
+  for (std::size_t i = 0; i < patch.x.size(); ++i) moments.add(patch.x[i], patch.y[i], patch.z[i]);
+  for (int round = 0; round < 2; ++round) {
+    if (moments.n < fewest) return surfel;
+    const MomentPlane plane = fit_plane_fast(moments);
+    Moments next;
+    double score = 0.0;
+    for (std::size_t i = 0; i < patch.x.size(); ++i) {
+      const double r = plane.distance({patch.x[i], patch.y[i], patch.z[i]}) / reach;
+      if (std::abs(r) > 1.0) continue;
+      next.add(patch.x[i], patch.y[i], patch.z[i]);
+      score += 1.0 - r * r;
+    }
+    surfel.score = score / static_cast<double>(patch.x.size());
+    moments = next;
+  }
+  if (moments.n < fewest) return surfel;
+  surfel.grown = grown_plane(moments, sigma);
+  const auto& v = surfel.grown.plane.variances;
+  if (v[1] >= breadth * v[0]) surfel.tilt = sigma / std::sqrt(moments.n * v[1]);
+  return surfel;
+}
+
+}  // namespace
+
+std::vector<Surfel> fit_surfels(const PointPool& pool, double sigma) {
+  std::vector<Surfel> surfels(pool.leaf.size());
+  const auto& c = pool.cloud;
+  parallel_blocks(pool.leaf.size(), 512, [&](std::size_t begin, std::size_t end) {
+    Patch patch;
+    for (auto l = static_cast<std::uint32_t>(begin); l < end; ++l) {
+      patch.clear();
+      const Eigen::Vector3f center = pool.tree.moments[pool.leaf[l]].mean().cast<float>();
+      const float side = c.cell_side(pool.cell(l).level);
+      const float radius = std::max(1.2F * side, static_cast<float>(3.0 * sigma));
+      const float radius2 = radius * radius;
+      const auto take = [&](std::uint32_t leaf) {
+        const Cell& cell = pool.cell(leaf);
+        for (auto p = cell.begin; p < cell.end; ++p) {
+          const float dx = c.x[p] - center.x(), dy = c.y[p] - center.y(), dz = c.z[p] - center.z();
+          if (dx * dx + dy * dy + dz * dz > radius2) continue;
+          patch.x.push_back(c.x[p]);
+          patch.y.push_back(c.y[p]);
+          patch.z.push_back(c.z[p]);
+        }
+      };
+      take(l);
+      for (auto k = pool.start[l]; k < pool.start[l + 1]; ++k) take(pool.to[k]);
+      surfels[l] = fit_surfel(patch, sigma);
+    }
+  });
+  return surfels;
+}
+
+bool continues(const GrownPlane& plane, const Surfel& patch, double sigma) {
+  const Eigen::Vector3d center = patch.grown.moments.mean();
+  const Eigen::Vector3d out = center - plane.moments.mean();
+  const double u = plane.plane.axes.col(1).dot(out), v = plane.plane.axes.col(2).dot(out);
+  const double sigma2 = sigma * sigma;
+  const double lever = 1.0 + u * u / std::max(plane.plane.variances[1], 1e-30) +
+                       v * v / std::max(plane.plane.variances[2], 1e-30);
+  const double variance = sigma2 / patch.grown.moments.n + std::min(lever / plane.moments.n, 1.0) * sigma2;
+  // A tenth of the noise and two degrees for surfaces that are no mathematical planes.
+  if (std::abs(plane.plane.distance(center)) > 3.0 * std::sqrt(variance) + 0.1 * sigma) return false;
+  const double tilt2 = patch.tilt * patch.tilt + sigma2 / (plane.moments.n * std::max(plane.plane.variances[1], 1e-30));
+  const double angle = 3.0 * std::sqrt(tilt2) + 0.035;
+  return std::abs(plane.plane.normal.dot(patch.grown.plane.normal)) > std::cos(std::min(angle, 1.0));
+}
+
+}  // namespace scanchor
