@@ -307,7 +307,7 @@ void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surface
   surface.rectangularness = filled_share(cloud, view, surface, gate);
   // Four sides that meet at right angles by construction: a rectangle if the surface fills what could be seen of it, and at least two
   // sides were seen along a third of their length.
-  const auto seen = std::count_if(fit.support.begin(), fit.support.end(), [](double share) { return share >= 0.3; });
+  const auto seen = std::count_if(fit.support.begin(), fit.support.end(), [](double support) { return support >= 0.3; });
   surface.is_rectangle = seen >= 2 && surface.rectangularness >= 0.9;
 }
 
