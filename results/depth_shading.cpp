@@ -20,6 +20,8 @@ void shade_by_depth(Frame& frame, double strength, double pixels_per_metre, bool
     inverse[i] = d == 0.0F ? 0.0F : parallel ? -d : 1.0F / d;
   }
   const std::array<int, 3> radii = fine ? std::array<int, 3>{1, 2, 3} : std::array<int, 3>{1, 4, 9};
+  // Neighbouring points of one surface differ by the sensor's noise, which is no shape.
+  const float noise = fine ? 0.03F : 0.0F;
   const std::array<std::array<int, 2>, 4> ways = {{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
   parallel_blocks(std::size_t(h), 16, [&](std::size_t begin, std::size_t end) {
     for (int y = int(begin); y < int(end); ++y) {
@@ -44,7 +46,8 @@ void shade_by_depth(Frame& frame, double strength, double pixels_per_metre, bool
             if (ahead <= 0.0F) continue;
             // [m] that the neighbours stand in front, against the distance to them across the
             // picture.
-            const float in_front = parallel ? ahead : ahead * distance * distance;
+            const float in_front = (parallel ? ahead : ahead * distance * distance) - noise;
+            if (in_front <= 0.0F) continue;
             const float across = float(radius) / px_per_m;
             const float angle = std::min(1.0F, in_front / across);
             // Something far in front is another thing, not a crease: let it fade.

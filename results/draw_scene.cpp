@@ -16,6 +16,11 @@ bool is_shell(const Instance& instance) {
   return name == "wall" || name == "ceiling";
 }
 
+/// A ceiling is a slab: from above it goes as a whole, not only its lower face.
+bool is_roof(const Instance& instance, const Eigen::Vector3d& eye) {
+  return class_info(instance.class_id).name == "ceiling" && eye.z() > 0.0;
+}
+
 bool hangs_on_walls(const Instance& instance) {
   static const std::array<std::string_view, 7> names = {
       "door", "window", "whiteboard", "picture", "curtain", "television", "radiator"};
@@ -148,7 +153,9 @@ Drawing draw_scene(const Scene& scene, const DrawSceneOptions& options) {
   edges.width_px = 1.0;
   std::map<ClassId, double> area_of_class;
   for (const Instance& instance : scene.instances) {
-    if (open && hangs_on_hidden(instance, sheets)) continue;
+    if (open && (is_roof(instance, options.towards_eye) || hangs_on_hidden(instance, sheets))) {
+      continue;
+    }
     const bool shell = is_shell(instance);
     Eigen::AlignedBox3d box;
     for (const Part& part : instance.parts) {

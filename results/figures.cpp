@@ -92,14 +92,20 @@ Surface const* monitor_like(const Surfaces& surfaces, std::size_t skip) {
   return nullptr;
 }
 
-/// Points of a plane with an edge to go round, a hole and two pieces that nearly touch.
+/// Points of the desk's top, in its plane: the monitors' feet throw shadows on it, so its shape has
+/// bays.
 std::vector<Eigen::Vector2d> sample_points(const Surfaces& surfaces, const PointCloud& cloud) {
   std::vector<Eigen::Vector2d> points;
-  if (const Surface* screen = monitor_like(surfaces, 0)) {
-    const Eigen::Isometry3d T = screen->T_cloud_surface.inverse();
-    for (const std::uint32_t i : screen->inliers) {
-      points.emplace_back((T * cloud.points[i]).head<2>());
+  for (const Surface& surface : surfaces.surfaces) {
+    const double e = surface.rectangle.length.value;
+    if (std::abs(surface.plane.normal.z()) < 0.9 || e < 1.3 || e > 1.9) continue;
+    const Eigen::Isometry3d T = surface.T_cloud_surface.inverse();
+    const SinCos turn = portable_sincos(-surface.rectangle.angle);
+    for (const std::uint32_t i : surface.inliers) {
+      const Eigen::Vector2d p = (T * cloud.points[i]).head<2>();
+      points.emplace_back(turn.cos * p.x() - turn.sin * p.y(), turn.sin * p.x() + turn.cos * p.y());
     }
+    break;
   }
   return points;
 }
@@ -135,17 +141,17 @@ Figure figure_alpha_shape() {
   const std::vector<Eigen::Vector2d> points = sample_points(surfaces, scan.cloud);
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector2d& p : points) box.extend(p);
-  VectorPicture picture{1280, 420, {}};
+  VectorPicture picture{1280, 300, {}};
   const double panel = 300.0;
   const double scale = box.isEmpty() ? 1.0 : panel / std::max(box.sizes().maxCoeff(), 1e-6);
   const Triangulation triangulation = delaunay(points);
   const double spacing = median_spacing(points, triangulation);
   const auto at = [&](const Eigen::Vector2d& p, double left) {
     return Eigen::Vector2d(left + scale * (p.x() - box.center().x()) + panel / 2,
-                           220.0 - scale * (p.y() - box.center().y()));
+                           170.0 - scale * (p.y() - box.center().y()));
   };
   const std::vector<std::pair<std::string, double>> steps = {
-      {"points", 0.0}, {"α too small", 1.1 * spacing}, {"α fits", 3.0 * spacing}, {"α → ∞", 1e3}};
+      {"points", 0.0}, {"α too small", 1.5 * spacing}, {"α fits", 4.0 * spacing}, {"α → ∞", 1e3}};
   for (std::size_t s = 0; s < steps.size(); ++s) {
     const double left = 10.0 + 318.0 * double(s);
     const auto& [name, radius] = steps[s];
@@ -174,7 +180,7 @@ Figure figure_alpha_shape() {
   Figure figure;
   figure.name = "figure-3-alpha-shape";
   figure.caption = fmt::format(
-      "{} points of a monitor and their alpha shape for three radii: with one near the spacing of "
+      "{} points of a desk top and their alpha shape for three radii: with one near the spacing of "
       "the "
       "points ({:.0f} mm) it falls apart, with an infinite one it is the convex hull (paper, Fig. "
       "3).",

@@ -134,7 +134,7 @@ class Renderer {
     gl_.BindRenderbuffer(gl::renderbuffer, target.color);
     gl_.RenderbufferStorageMultisample(gl::renderbuffer, samples, gl::rgba8, width, height);
     gl_.BindRenderbuffer(gl::renderbuffer, target.depth);
-    gl_.RenderbufferStorageMultisample(gl::renderbuffer, samples, gl::depth_component24, width,
+    gl_.RenderbufferStorageMultisample(gl::renderbuffer, samples, gl::depth_component32f, width,
                                        height);
     gl_.FramebufferRenderbuffer(gl::framebuffer, gl::color_attachment0, gl::renderbuffer,
                                 target.color);
@@ -385,9 +385,10 @@ class Renderer {
     gl_.PixelStorei(gl::pack_alignment, 1);
     const std::size_t row = std::size_t(width);
     const std::size_t pixels = row * std::size_t(height);
-    rgb_.resize(3 * pixels);
+    rgba_.resize(4 * pixels);
     depth_.resize(pixels);
-    gl_.ReadPixels(0, 0, width, height, gl::rgb, gl::unsigned_byte, rgb_.data());
+    // The formats of the buffers themselves: reading them is a plain copy.
+    gl_.ReadPixels(0, 0, width, height, gl::rgba, gl::unsigned_byte, rgba_.data());
     gl_.ReadPixels(0, 0, width, height, gl::depth_component, gl::float_type, depth_.data());
     if (const gl::Enum error = gl_.GetError(); error != 0) {
       fail_data("", "", "OpenGL reported error " + std::to_string(error) + " while drawing");
@@ -397,8 +398,8 @@ class Renderer {
     frame.distance.resize(pixels);
     for (std::size_t y = 0; y < std::size_t(height); ++y) {  // OpenGL's first row is the lowest.
       const std::size_t from = (std::size_t(height) - 1 - y) * row;
-      std::memcpy(&frame.image.rgb[3 * y * row], &rgb_[3 * from], 3 * row);
       for (std::size_t x = 0; x < row; ++x) {
+        std::memcpy(&frame.image.rgb[3 * (y * row + x)], &rgba_[4 * (from + x)], 3);
         const float depth = depth_[from + x];
         frame.distance[y * row + x] =
             depth < 1.0F ? float(projection.distance_of_depth(double(depth))) : 0.0F;
@@ -414,7 +415,7 @@ class Renderer {
   Target multi_, single_;
   int width_ = 0, height_ = 0, samples_ = 0, most_samples_ = 1;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
-  std::vector<std::uint8_t> rgb_;
+  std::vector<std::uint8_t> rgba_;
   std::vector<float> depth_;
 };
 

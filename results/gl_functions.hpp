@@ -27,8 +27,8 @@ inline constexpr Enum compile_status = 0x8B81, link_status = 0x8B82;
 inline constexpr Enum framebuffer = 0x8D40, read_framebuffer = 0x8CA8, draw_framebuffer = 0x8CA9;
 inline constexpr Enum renderbuffer = 0x8D41, color_attachment0 = 0x8CE0, depth_attachment = 0x8D00;
 inline constexpr Enum framebuffer_complete = 0x8CD5, max_samples = 0x8D57;
-inline constexpr Enum rgba8 = 0x8058, depth_component24 = 0x81A6, depth_component = 0x1902;
-inline constexpr Enum rgb = 0x1907, nearest = 0x2600, linear = 0x2601;
+inline constexpr Enum rgba8 = 0x8058, depth_component32f = 0x8CAC, depth_component = 0x1902;
+inline constexpr Enum rgba = 0x1908, nearest = 0x2600, linear = 0x2601;
 inline constexpr Enum pack_alignment = 0x0D05, renderer_name = 0x1F01, version_name = 0x1F02;
 
 // X(result, name, parameters)

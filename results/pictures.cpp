@@ -78,11 +78,12 @@ Image picture_of_labels(const Surfaces& surfaces, const Labelling& labelling,
     DrawCloudOptions faint;
     faint.color = CloudColor::plain;
     faint.point_px = 1.0;
+    faint.point_m = 0.0;
     faint.sheet_normals = sheets_of_surfaces(surfaces);
     faint.towards_eye = labels.towards_eye;
     Drawing points = draw_cloud(*cloud, faint);
     for (DrawnPoints& group : points.points) {
-      group.colors.assign(group.colors.size(), Color{120, 130, 140});
+      group.colors.assign(group.colors.size(), Color{176, 184, 192});
     }
     points.legend.clear();
     drawing.add(points);

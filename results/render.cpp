@@ -72,8 +72,11 @@ Rendered render_with_details(const Drawing& drawing, const View& view,
   const Projection projection(view, options.width, options.height, space, shift);
   Frame frame = draw_with_gl(*subject, projection, options.width, options.height, options.samples,
                              options.background);
-  shade_by_depth(frame, options.depth_shading, projection.pixels_per_metre(1.0),
-                 projection.parallel(), subject->meshes.empty() && !subject->points.empty());
+  // Translucent polygons leave no depth: shading would only show the noise of the points around
+  // them.
+  const bool solid = !subject->meshes.empty();
+  const double strength = solid || subject->polygons.empty() ? options.depth_shading : 0.0;
+  shade_by_depth(frame, strength, projection.pixels_per_metre(1.0), projection.parallel(), !solid);
   Overlay overlay = make_overlay(*subject, projection, options, frame.distance);
   paint(overlay.picture, frame.image);
   return {std::move(frame.image), std::move(overlay.labels), overlay.labels_left_out,

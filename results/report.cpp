@@ -86,7 +86,14 @@ void write_report(const fs::path& run_folder, const fs::path& html, const Report
     // start.
     for (std::size_t i = 0; i < scenes.size(); ++i) {
       const std::string name = scenes[i].at("name").get<std::string>();
-      const std::string view = scene_view(folder / name, name, points);
+      std::string view;
+      try {
+        view = scene_view(folder / name, name, points);
+      } catch (const Error& error) {
+        // One damaged room does not take the report of all others away; the page says what is wrong
+        // with it.
+        scenes[i]["problem"] = error.what();
+      }
       scenes[i]["view"] = !view.empty();
       if (!view.empty()) {
         out << "<script type=\"text/plain\" id=\"scene-" << i << "\">" << view << "</script>\n";

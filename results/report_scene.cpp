@@ -35,8 +35,8 @@ Json surface_json(const Surface& surface, std::int32_t entity, const Eigen::Isom
   json["points"] = surface.inliers.size();
   json["area"] = short_number(surface.area.value);
   const Eigen::Vector3d normal = T.linear() * surface.plane.normal;
-  json["normal"] = Json::array(
-      {short_number(normal.x()), short_number(normal.y()), short_number(normal.z())});
+  json["normal"] =
+      Json::array({short_number(normal.x()), short_number(normal.y()), short_number(normal.z())});
   Json vertices = Json::array();
   Json triangles = Json::array();
   Json rings = Json::array();
@@ -106,13 +106,23 @@ Json entity_json(const Entity& entity, const Eigen::Isometry3d& T) {
   return json;
 }
 
+/// The turn that takes the labelling's up to z.
+Eigen::Isometry3d upright(const Eigen::Vector3d& up) {
+  const Eigen::Vector3d axis = up.cross(Eigen::Vector3d::UnitZ());
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  if (axis.norm() > 1e-12) {
+    T.rotate(Eigen::AngleAxisd(std::atan2(axis.norm(), up.z()), axis.normalized()));
+  } else if (up.z() < 0.0) {
+    T.rotate(Eigen::AngleAxisd(std::acos(-1.0), Eigen::Vector3d::UnitX()));
+  }
+  return T;
+}
+
 }  // namespace
 
 std::string report_scene(const std::string& name, const Scan& scan, const Surfaces& surfaces,
                          const Labelling& labelling, std::size_t most_points) {
-  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  T.linear() =
-      Eigen::Quaterniond::FromTwoVectors(labelling.up, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  const Eigen::Isometry3d T = upright(labelling.up);
   const std::size_t count = scan.cloud.size();
   const std::size_t step =
       most_points == 0 ? count + 1 : 1 + (count > 0 ? (count - 1) / most_points : 0);

@@ -37,7 +37,7 @@ TEST(Overlay, WritesTitleLegendScaleAndAxes) {
   const View view = framed_view(drawing, options, ViewKind::top);
   const auto words =
       words_of(make_overlay(drawing, projection_for(drawing, view, options), options, {}).picture);
-  for (const char* word : {"A room", "seed 1", "desk", "chair", "1 m", "x", "y"})
+  for (const char* word : {"A room", "seed 1", "desk", "chair", "2 m", "x", "y"})
     EXPECT_TRUE(has(words, word)) << word;
   options.legend = options.scale_bar = options.axes = false;
   const auto fewer =
@@ -57,11 +57,11 @@ TEST(Overlay, ScaleBarIsTrue) {
   for (const auto& item : overlay.picture.items) {
     if (const auto* shape = std::get_if<VectorShape>(&item)) {
       const double px = (shape->paths[0][1] - shape->paths[0][0]).norm();
-      EXPECT_NEAR(px / projection.pixels_per_metre(1.0), 1.0, 1e-9);
+      EXPECT_NEAR(px / projection.pixels_per_metre(1.0), 2.0, 1e-9);
       break;
     }
   }
-  EXPECT_TRUE(has(words_of(overlay.picture), "1 m"));
+  EXPECT_TRUE(has(words_of(overlay.picture), "2 m"));
 }
 
 TEST(Overlay, ALongLegendEndsWithWhatIsMissing) {

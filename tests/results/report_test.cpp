@@ -70,6 +70,20 @@ TEST(Report, AHostileNameStaysText) {
   EXPECT_EQ(count(read_file(run / "report.html"), "<script>alert"), 0u);
 }
 
+TEST(Report, ADamagedRoomDoesNotTakeTheOthersAway) {
+  const fs::path run = make_run("report_damaged");
+  make_folder(run / "00001");
+  for (const char* file : {"scan.pcd", "surfaces.json", "labels.json"}) {
+    fs::copy_file(run / "00000" / file, run / "00001" / file, fs::copy_options::overwrite_existing);
+  }
+  write_file(run / "00001" / "surfaces.json", "{");
+  write_report(run, run / "report.html");
+  const std::string html = read_file(run / "report.html");
+  EXPECT_EQ(count(html, "id=\"scene-0\""), 1u);
+  EXPECT_EQ(count(html, "id=\"scene-1\""), 0u);
+  EXPECT_EQ(count(html, "\"problem\""), 1u);
+}
+
 TEST(Report, WhatIsMissingIsNamed) {
   const fs::path empty = samples::scratch("report_empty");
   try {
