@@ -48,7 +48,7 @@ async function openScene(index, push = true) {
     .sort((a, b) => a.label.localeCompare(b.label) || a.id - b.id);
   names.append(...listed.map((e) => element('button', {
     role: 'option', 'data-id': e.id, 'aria-selected': 'false', onclick: () => select(e.id),
-  }, swatch(run.classes[e.class]?.[1] ?? '#adb5bd'), e.label, element('span', {class: 'faint'}, ` ${percent(e.probability)}`))));
+  }, swatch(e.class > 0 ? run.classes[e.class][1] : '#adb5bd'), e.label, element('span', {class: 'faint'}, ` ${percent(e.probability)}`))));
   const modes = element('div', {class: 'modes', role: 'radiogroup', 'aria-label': 'Colours'},
     MODES.filter(([mode]) => data.truth || !['truth', 'error'].includes(mode)).map(([mode, words], i) => element('button', {
       role: 'radio', 'data-mode': mode, 'aria-checked': mode === 'prediction', title: `Key ${i + 1}`, onclick: () => setMode(mode),
@@ -102,7 +102,7 @@ function sceneTable() {
   const fill = (filter) => body.replaceChildren(...run.scenes.flatMap((s, i) => {
     if (filter && !`${s.name} ${s.family}`.toLowerCase().includes(filter.toLowerCase())) return [];
     return [element('tr', {},
-      element('td', {}, s.view ? element('button', {class: 'link', onclick: () => openScene(i)}, s.name) : s.name),
+      element('td', {}, s.view ? element('button', {class: 'link', onclick: () => openScene(i)}, s.name) : s.name, s.problem ? element('span', {class: 'problem'}, ` ⚠ ${s.problem}`) : null),
       element('td', {}, s.family ?? ''), element('td', {}, String(s.seed ?? '')), element('td', {}, (s.points ?? 0).toLocaleString('en')),
       element('td', {}, s.surfaces ?? ''), element('td', {}, s.there ?? ''), element('td', {}, s.found ?? ''),
       element('td', {}, s.there ? percent(s.found / s.there) : '–'))];

@@ -26,7 +26,7 @@ export function proofPanel(entity, scene, run, select) {
     return element('div', {class: 'panel', id: 'proof'},
       element('p', {class: 'faint'}, 'Click a surface, or choose a thing from the list, to read what it is and why.'));
   }
-  const color = run.classes[entity.class]?.[1] ?? '#adb5bd';
+  const color = entity.class > 0 ? run.classes[entity.class][1] : '#adb5bd';
   const [l, w, h] = entity.size.map((s) => (s / 1000).toFixed(2));
   const surfaces = entity.surfaces.map((id) => scene.surfaces.find((s) => s.id === id)).filter(Boolean);
   return element('div', {class: 'panel', id: 'proof', 'aria-live': 'polite'},
