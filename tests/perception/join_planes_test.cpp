@@ -1,0 +1,52 @@
+#include "perception/join_planes.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/random.hpp"
+
+namespace scanchor {
+namespace {
+
+// A patch of z = height + slope x about (x0, 0).
+GrownPlane patch(SequentialRandom& random, double x0, double height, double slope, double sigma) {
+  Moments moments;
+  for (int i = 0; i < 400; ++i) {
+    const double x = x0 + random.uniform(-0.3, 0.3);
+    moments.add(x, random.uniform(-0.3, 0.3), height + slope * x + sigma * random.normal());
+  }
+  return grown_plane(moments, sigma);
+}
+
+TEST(JoinPlanes, PiecesOfOnePlaneJoinAndOthersDoNot) {
+  SequentialRandom random(1);
+  const double sigma = 0.01;
+  std::vector<GrownPlane> planes = {patch(random, 0.0, 0.0, 0.0, sigma), patch(random, 0.6, 0.0, 0.0, sigma),
+                                    patch(random, 1.2, 0.03, 0.0, sigma), patch(random, 1.8, 0.0, 0.0, sigma),
+                                    patch(random, 0.0, 0.0, 0.2, sigma)};
+  const auto into = join_planes({{0, 1}, {0, 2}, {0, 4}, {1, 2}, {1, 3}, {2, 3}}, sigma, same_plane, planes);
+  EXPECT_EQ(into, (std::vector<std::int32_t>{0, 0, 2, 0, 4}));
+  EXPECT_EQ(planes[0].moments.n, 1200.0);
+}
+
+// The false-alarm rate of same_plane on true pairs, and its power against a step of one sigma.
+TEST(JoinPlanes, TestHasTheRatesItClaims) {
+  SequentialRandom random(2);
+  int joined = 0, stepped = 0;
+  for (int k = 0; k < 300; ++k) {
+    const auto a = patch(random, 0.0, 0.0, 0.0, 0.01);
+    joined += same_plane(a, patch(random, 0.6, 0.0, 0.0, 0.01), 0.01);
+    stepped += same_plane(a, patch(random, 0.6, 0.02, 0.0, 0.01), 0.01);
+  }
+  EXPECT_GE(joined, 298);
+  EXPECT_LE(stepped, 15);
+}
+
+TEST(JoinPlanes, SureOnlyWhereThePlaneIsKnown) {
+  SequentialRandom random(3);
+  const auto a = patch(random, 0.0, 0.0, 0.0, 0.01);
+  EXPECT_TRUE(surely_same_plane(a, patch(random, 1.5, 0.0, 0.0, 0.01), 0.01));
+  EXPECT_FALSE(surely_same_plane(a, patch(random, 30.0, 0.0, 0.0, 0.01), 0.01));  // too far to be known
+}
+
+}  // namespace
+}  // namespace scanchor
