@@ -421,7 +421,10 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
       const double variance = evidence.plane_variance(middle - mean_position[axis + 2] * outwards, middle + mean_position[axis] * outwards, outwards);
       widen(size[axis], variance);
     }
-    size[axis].low = std::max(0.0, size[axis].low);
+    // Opposite sides of a sliver may cross within their error: no size is below nothing.
+    size[axis].value = std::max(size[axis].value, fine);
+    size[axis].low = std::clamp(size[axis].low, 0.0, size[axis].value);
+    size[axis].high = std::max(size[axis].high, size[axis].value);
     size[axis].at_least = sides[axis].censored || sides[axis + 2].censored;
   }
 

@@ -32,7 +32,7 @@ struct Draft {
 };
 
 /// Places are relative to the target's, which stands at the origin of the draft; the room is put around it.
-Draft draft(Scene& scene, Relation relation, SequentialRandom& random) {
+Draft draft(Scene& scene, SpatialRelation relation, SequentialRandom& random) {
   Draft d;
   const double width = to_mm(random.uniform(0.7, 1.1));
   const double depth = to_mm(random.uniform(0.4, 0.6));
@@ -47,7 +47,7 @@ Draft draft(Scene& scene, Relation relation, SequentialRandom& random) {
   const Instance level = board(scene, "shelf", plate, "beech");
   const Instance wall_board = board(scene, "whiteboard", upright, "enamel white");
   switch (relation) {
-    case Relation::parallel:
+    case SpatialRelation::parallel:
       d.b = level;
       d.b.T_world_instance = pose(0, 0, height);
       d.a = level;
@@ -55,7 +55,7 @@ Draft draft(Scene& scene, Relation relation, SequentialRandom& random) {
       d.a_without = d.a;
       d.a_without.T_world_instance = pose(0, 0, height + 0.32, rotation_about(0, radians(random.uniform(9, 14))));
       break;
-    case Relation::orthogonal:
+    case SpatialRelation::orthogonal:
       d.b = level;
       d.b.T_world_instance = pose(0, 0, height);
       d.a = board(scene, "monitor", {0.55, 0.03, 0.33}, "screen");
@@ -63,14 +63,14 @@ Draft draft(Scene& scene, Relation relation, SequentialRandom& random) {
       d.a_without = d.a;
       d.a_without.T_world_instance.linear() = d.a.T_world_instance.linear() * rotation_about(0, -radians(random.uniform(25, 35)));
       break;
-    case Relation::above:
-    case Relation::below: {
+    case SpatialRelation::above:
+    case SpatialRelation::below: {
       // From 60 % overlap to a tenth of it; both times near, and neither time on each other or in line.
       const Instance small = board(scene, "box", {0.4, 0.3, 0.2}, "cardboard");
       const double side = random.chance(0.5) ? 1.0 : -1.0;
       const double first = 0.5 * width - 0.05;
       const double second = 0.5 * width + 0.3;
-      if (relation == Relation::above) {
+      if (relation == SpatialRelation::above) {
         d.b = level;
         d.b.T_world_instance = pose(0, 0, height);
         d.a = small;
@@ -87,11 +87,11 @@ Draft draft(Scene& scene, Relation relation, SequentialRandom& random) {
       }
       break;
     }
-    case Relation::on:
-    case Relation::supports: {
+    case SpatialRelation::on:
+    case SpatialRelation::supports: {
       const Instance small = board(scene, "box", {0.3, 0.25, 0.2}, "cardboard");
       const double x = random.uniform(-0.1, 0.1);
-      if (relation == Relation::on) {
+      if (relation == SpatialRelation::on) {
         d.b = level;
         d.b.T_world_instance = pose(0, 0, height);
         d.a = small;
@@ -108,7 +108,7 @@ Draft draft(Scene& scene, Relation relation, SequentialRandom& random) {
       }
       break;
     }
-    case Relation::inside: {
+    case SpatialRelation::inside: {
       // A crate, and a parcel that hangs in it or beside it.
       FurnitureRequest crate{"box", "plastic crate", random.below(1000), {{"width", 0.6}, {"depth", 0.5}, {"height", 0.4}}, 0.0};
       d.b = make_furniture(scene, crate);
@@ -122,7 +122,7 @@ Draft draft(Scene& scene, Relation relation, SequentialRandom& random) {
       d.a_without.T_world_instance = pose(x, -0.52, height + 0.25);
       break;
     }
-    case Relation::near: {
+    case SpatialRelation::near: {
       const Instance small = board(scene, "box", {0.35, 0.3, 0.25}, "cardboard");
       d.b = small;
       d.b.T_world_instance = pose(0, 0, height);
@@ -132,7 +132,7 @@ Draft draft(Scene& scene, Relation relation, SequentialRandom& random) {
       d.a_without.T_world_instance = pose(0.35 + random.uniform(0.8, 1.0), 0, height);
       break;
     }
-    case Relation::same_size: {
+    case SpatialRelation::same_size: {
       d.b = level;
       d.b.T_world_instance = pose(0, 0, height);
       d.a = level;
@@ -142,7 +142,7 @@ Draft draft(Scene& scene, Relation relation, SequentialRandom& random) {
       d.a_without.T_world_instance = d.a.T_world_instance;
       break;
     }
-    case Relation::vertically_aligned:
+    case SpatialRelation::vertically_aligned:
       d.b = level;
       d.b.T_world_instance = pose(0, 0, height);
       d.a = level;
@@ -150,7 +150,7 @@ Draft draft(Scene& scene, Relation relation, SequentialRandom& random) {
       d.a_without = d.a;
       d.a_without.T_world_instance = pose(random.uniform(0.3, 0.4) * width, 0, height + 0.33);
       break;
-    case Relation::coplanar:
+    case SpatialRelation::coplanar:
       d.b = wall_board;
       d.b.T_world_instance = pose(0, 0, height + 0.3);
       d.a = wall_board;
@@ -158,10 +158,10 @@ Draft draft(Scene& scene, Relation relation, SequentialRandom& random) {
       d.a_without = d.a;
       d.a_without.T_world_instance = pose(width + 0.15, random.uniform(0.1, 0.16), height + 0.3);
       break;
-    case Relation::left_of:
-    case Relation::right_of:
-    case Relation::in_front_of:
-    case Relation::behind: {
+    case SpatialRelation::left_of:
+    case SpatialRelation::right_of:
+    case SpatialRelation::in_front_of:
+    case SpatialRelation::behind: {
       // The viewer stands at -x of the target. Off to the opposite side at the same distance.
       const Instance small = board(scene, "box", {0.25, 0.25, 0.25}, "cardboard");
       d.b = small;
@@ -169,9 +169,9 @@ Draft draft(Scene& scene, Relation relation, SequentialRandom& random) {
       const double off = to_mm(random.uniform(0.45, 0.6));
       const double slant = random.uniform(-0.06, 0.06);
       Eigen::Vector3d place(slant, off, height);
-      if (relation == Relation::right_of) place = {slant, -off, height};
-      if (relation == Relation::in_front_of) place = {-off, slant, height};
-      if (relation == Relation::behind) place = {off, slant, height};
+      if (relation == SpatialRelation::right_of) place = {slant, -off, height};
+      if (relation == SpatialRelation::in_front_of) place = {-off, slant, height};
+      if (relation == SpatialRelation::behind) place = {off, slant, height};
       d.a = small;
       d.a.T_world_instance = pose_at(place);
       d.a_without = d.a;
@@ -184,7 +184,7 @@ Draft draft(Scene& scene, Relation relation, SequentialRandom& random) {
 
 }  // namespace
 
-ContrastPair contrastive_pair(Relation relation, std::uint64_t seed, double clear) {
+ContrastPair contrastive_pair(SpatialRelation relation, std::uint64_t seed, double clear) {
   for (std::uint64_t attempt = 0; attempt < 64; ++attempt) {
     SequentialRandom random(stream_seed(seed, relation_name(relation), attempt));
     ContrastPair pair;

@@ -10,7 +10,7 @@
 namespace scanchor {
 
 struct ContrastPair {
-  Relation relation;
+  SpatialRelation relation;
   Scene with;             ///< a relation b holds clearly
   Scene without;          ///< it clearly does not; the scenes differ in thing `a` alone
   std::size_t a = 0;      ///< index of the subject in both scenes' instances
@@ -21,6 +21,6 @@ struct ContrastPair {
 /// A plain room with a target, a subject and a few bystanders drawn from the seed. Margins are at least `clear` on both sides. All other
 /// relations between the two keep their truth value, up to those that follow from the relation itself (its inverse; on and supports,
 /// above and below with each other where the definition makes one imply the other). Deterministic.
-ContrastPair contrastive_pair(Relation relation, std::uint64_t seed, double clear = 0.15);
+ContrastPair contrastive_pair(SpatialRelation relation, std::uint64_t seed, double clear = 0.15);
 
 }  // namespace scanchor

@@ -159,16 +159,16 @@ RelationMargin inside_margin(const RelationBody& a, const RelationBody& b, const
   return result;
 }
 
-RelationMargin view_margin(const RelationBody& a, const RelationBody& b, Relation relation, const Eigen::Vector3d& viewpoint,
+RelationMargin view_margin(const RelationBody& a, const RelationBody& b, SpatialRelation relation, const Eigen::Vector3d& viewpoint,
                            const RelationTolerances& t) {
   const Eigen::Vector2d to = (b.center - viewpoint).head<2>();
   const Eigen::Vector2d d = (a.center - b.center).head<2>();
   if (to.norm() < 1e-9 || d.norm() < 1e-9) return {-1.0, 180.0};
   Eigen::Vector2d wanted = to;
   switch (relation) {
-    case Relation::left_of: wanted = {-to.y(), to.x()}; break;
-    case Relation::right_of: wanted = {to.y(), -to.x()}; break;
-    case Relation::in_front_of: wanted = -to; break;
+    case SpatialRelation::left_of: wanted = {-to.y(), to.x()}; break;
+    case SpatialRelation::right_of: wanted = {to.y(), -to.x()}; break;
+    case SpatialRelation::in_front_of: wanted = -to; break;
     default: break;
   }
   const double off = degrees(std::atan2(std::abs(cross2(wanted, d)), wanted.dot(d)));
@@ -177,39 +177,39 @@ RelationMargin view_margin(const RelationBody& a, const RelationBody& b, Relatio
 
 }  // namespace
 
-std::string_view relation_name(Relation relation) { return names[static_cast<std::size_t>(relation)]; }
+std::string_view relation_name(SpatialRelation relation) { return names[static_cast<std::size_t>(relation)]; }
 
-std::optional<Relation> find_relation(std::string_view name) {
+std::optional<SpatialRelation> find_relation(std::string_view name) {
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i] == name) return static_cast<Relation>(i);
+    if (names[i] == name) return static_cast<SpatialRelation>(i);
   }
   return std::nullopt;
 }
 
-Relation inverse(Relation relation) {
+SpatialRelation inverse(SpatialRelation relation) {
   switch (relation) {
-    case Relation::above: return Relation::below;
-    case Relation::below: return Relation::above;
-    case Relation::on: return Relation::supports;
-    case Relation::supports: return Relation::on;
+    case SpatialRelation::above: return SpatialRelation::below;
+    case SpatialRelation::below: return SpatialRelation::above;
+    case SpatialRelation::on: return SpatialRelation::supports;
+    case SpatialRelation::supports: return SpatialRelation::on;
     default: return relation;
   }
 }
 
-bool is_symmetric(Relation relation) {
+bool is_symmetric(SpatialRelation relation) {
   switch (relation) {
-    case Relation::parallel:
-    case Relation::orthogonal:
-    case Relation::near:
-    case Relation::same_size:
-    case Relation::vertically_aligned:
-    case Relation::coplanar: return true;
+    case SpatialRelation::parallel:
+    case SpatialRelation::orthogonal:
+    case SpatialRelation::near:
+    case SpatialRelation::same_size:
+    case SpatialRelation::vertically_aligned:
+    case SpatialRelation::coplanar: return true;
     default: return false;
   }
 }
 
-bool needs_viewpoint(Relation relation) {
-  return relation == Relation::left_of || relation == Relation::right_of || relation == Relation::in_front_of || relation == Relation::behind;
+bool needs_viewpoint(SpatialRelation relation) {
+  return relation == SpatialRelation::left_of || relation == SpatialRelation::right_of || relation == SpatialRelation::in_front_of || relation == SpatialRelation::behind;
 }
 
 RelationBody face_body(const Scene& scene, const FaceAddress& address, const RelationTolerances& tolerances) {
@@ -277,26 +277,26 @@ RelationBody instance_body(const Scene& scene, std::size_t index, const Relation
   return body;
 }
 
-RelationMargin relate(const RelationBody& a, const RelationBody& b, Relation relation, const Eigen::Vector3d& viewpoint,
+RelationMargin relate(const RelationBody& a, const RelationBody& b, SpatialRelation relation, const Eigen::Vector3d& viewpoint,
                       const RelationTolerances& t) {
   const bool faces = a.has_face && b.has_face;
   Worst worst;
   switch (relation) {
-    case Relation::parallel:
+    case SpatialRelation::parallel:
       if (!faces) return {};
       worst.at_most(angle_deg(a.face.normal, b.face.normal), t.angle_deg);
       return worst.result;
-    case Relation::orthogonal:
+    case SpatialRelation::orthogonal:
       if (!faces) return {};
       worst.at_most(90.0 - angle_deg(a.face.normal, b.face.normal), t.angle_deg);
       return worst.result;
-    case Relation::above: return above_margin(a, b, t);
-    case Relation::below: return above_margin(b, a, t);
-    case Relation::on: return on_margin(a, b, t);
-    case Relation::supports: return on_margin(b, a, t);
-    case Relation::inside: return inside_margin(a, b, t);
-    case Relation::near: worst.at_most(gap_between(a, b), t.near); return worst.result;
-    case Relation::same_size: {
+    case SpatialRelation::above: return above_margin(a, b, t);
+    case SpatialRelation::below: return above_margin(b, a, t);
+    case SpatialRelation::on: return on_margin(a, b, t);
+    case SpatialRelation::supports: return on_margin(b, a, t);
+    case SpatialRelation::inside: return inside_margin(a, b, t);
+    case SpatialRelation::near: worst.at_most(gap_between(a, b), t.near); return worst.result;
+    case SpatialRelation::same_size: {
       if (!faces || a.face.size.x() <= 0 || b.face.size.x() <= 0) return {};
       const double length = std::max(a.face.size.x(), b.face.size.x()) / std::min(a.face.size.x(), b.face.size.x());
       const double area = std::max(a.face.area, b.face.area) / std::max(1e-12, std::min(a.face.area, b.face.area));
@@ -304,7 +304,7 @@ RelationMargin relate(const RelationBody& a, const RelationBody& b, Relation rel
       worst.condition(1.0 - std::log(area) / std::log(t.same_area), area);
       return worst.result;
     }
-    case Relation::vertically_aligned: {
+    case SpatialRelation::vertically_aligned: {
       if (!faces) return {};
       const double shorter = std::min(a.face.size.x(), b.face.size.x());
       if (shorter <= 0) return {};
@@ -314,7 +314,7 @@ RelationMargin relate(const RelationBody& a, const RelationBody& b, Relation rel
       }
       return worst.result;
     }
-    case Relation::coplanar: {
+    case SpatialRelation::coplanar: {
       if (!faces) return {};
       worst.at_most(angle_deg(a.face.normal, b.face.normal), t.angle_deg);
       const Eigen::Vector3d d = a.face.center - b.face.center;
@@ -335,15 +335,15 @@ Eigen::Vector3d viewpoint_of(const Scene& scene, const RelationQuery& query) {
 
 std::vector<RelationFact> relations_between(const std::vector<RelationBody>& bodies, const std::vector<std::int32_t>& ids,
                                             const RelationQuery& query, const Eigen::Vector3d& viewpoint) {
-  std::vector<Relation> wanted = query.relations;
+  std::vector<SpatialRelation> wanted = query.relations;
   if (wanted.empty()) {
-    for (std::size_t r = 0; r < relation_count; ++r) wanted.push_back(static_cast<Relation>(r));
+    for (std::size_t r = 0; r < relation_count; ++r) wanted.push_back(static_cast<SpatialRelation>(r));
   }
   std::vector<RelationFact> facts;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     for (std::size_t j = 0; j < bodies.size(); ++j) {
       if (i == j) continue;
-      for (const Relation relation : wanted) {
+      for (const SpatialRelation relation : wanted) {
         if (is_symmetric(relation) && j < i) continue;
         const RelationMargin value = relate(bodies[i], bodies[j], relation, viewpoint, query.tolerances);
         if (value.margin >= query.least_margin) facts.push_back({relation, ids[i], ids[j], value});
@@ -366,9 +366,9 @@ std::vector<RelationFact> relations_between(const std::vector<RelationBody>& bod
   std::vector<std::pair<std::int32_t, double>> top;  // thing -> highest carrier
   for (std::size_t k = 0; k < facts.size(); ++k) {
     const RelationFact& f = facts[k];
-    if (f.relation != Relation::on && f.relation != Relation::supports) continue;
-    const std::int32_t thing = f.relation == Relation::on ? f.a : f.b;
-    const std::int32_t carrier = f.relation == Relation::on ? f.b : f.a;
+    if (f.relation != SpatialRelation::on && f.relation != SpatialRelation::supports) continue;
+    const std::int32_t thing = f.relation == SpatialRelation::on ? f.a : f.b;
+    const std::int32_t carrier = f.relation == SpatialRelation::on ? f.b : f.a;
     height_of[k] = carrier_height(body_of(thing), body_of(carrier));
     if (!f.value.holds()) continue;
     const auto found = std::find_if(top.begin(), top.end(), [&](const auto& item) { return item.first == thing; });
@@ -381,8 +381,8 @@ std::vector<RelationFact> relations_between(const std::vector<RelationBody>& bod
   std::vector<RelationFact> kept;
   for (std::size_t k = 0; k < facts.size(); ++k) {
     const RelationFact& f = facts[k];
-    if ((f.relation == Relation::on || f.relation == Relation::supports) && f.value.holds()) {
-      const std::int32_t thing = f.relation == Relation::on ? f.a : f.b;
+    if ((f.relation == SpatialRelation::on || f.relation == SpatialRelation::supports) && f.value.holds()) {
+      const std::int32_t thing = f.relation == SpatialRelation::on ? f.a : f.b;
       const auto found = std::find_if(top.begin(), top.end(), [&](const auto& item) { return item.first == thing; });
       if (found != top.end() && height_of[k] < found->second) continue;
     }

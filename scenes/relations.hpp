@@ -16,7 +16,7 @@
 
 namespace scanchor {
 
-enum class Relation {
+enum class SpatialRelation {
   parallel,
   orthogonal,
   above,
@@ -36,14 +36,14 @@ enum class Relation {
 inline constexpr std::size_t relation_count = 15;
 
 /// "parallel", "same size", "left of", ... and back.
-std::string_view relation_name(Relation relation);
-std::optional<Relation> find_relation(std::string_view name);
+std::string_view relation_name(SpatialRelation relation);
+std::optional<SpatialRelation> find_relation(std::string_view name);
 /// a R b exactly if b R a.
-bool is_symmetric(Relation relation);
+bool is_symmetric(SpatialRelation relation);
 /// The relation that b has to a where a has this one to b: itself for symmetric ones.
-Relation inverse(Relation relation);
+SpatialRelation inverse(SpatialRelation relation);
 /// left, right, in front, behind: need a viewpoint.
-bool needs_viewpoint(Relation relation);
+bool needs_viewpoint(SpatialRelation relation);
 
 struct RelationTolerances {
   double angle_deg = 5.0;             ///< parallel, orthogonal, coplanar
@@ -86,12 +86,12 @@ struct RelationMargin {
 };
 /// a relation b. `viewpoint` is used by the four that need one. `on` and `supports` look at the pair only; whether b is the
 /// top-most that could carry a is decided in the lists below.
-RelationMargin relate(const RelationBody& a, const RelationBody& b, Relation relation, const Eigen::Vector3d& viewpoint,
+RelationMargin relate(const RelationBody& a, const RelationBody& b, SpatialRelation relation, const Eigen::Vector3d& viewpoint,
                       const RelationTolerances& tolerances = {});
 
 /// One relation that holds, or misses by less than a wanted margin.
 struct RelationFact {
-  Relation relation;
+  SpatialRelation relation;
   std::int32_t a, b;    ///< indices: into all_faces, or into Scene::instances
   RelationMargin value;
 };
@@ -100,7 +100,7 @@ struct RelationQuery {
   RelationTolerances tolerances;
   double least_margin = 0.0;        ///< list facts with at least this margin; -0.2 adds near misses
   double least_area = 0.05;         ///< [m2] faces below are left out
-  std::vector<Relation> relations;  ///< empty: all
+  std::vector<SpatialRelation> relations;  ///< empty: all
   std::optional<Eigen::Vector3d> viewpoint;  ///< else the first sensor pose, else the middle of the bounds
 };
 

@@ -27,7 +27,7 @@ class BeamTracer {
               LineReturns& returns) const;
 
   [[nodiscard]] bool has_footprint() const { return footprint_.size() > 1; }
-  [[nodiscard]] const Footprint& footprint() const { return footprint_; }
+  [[nodiscard]] const BeamFootprint& footprint() const { return footprint_; }
 
  private:
   /// A stretch of a path that has still to be traced.
@@ -49,7 +49,7 @@ class BeamTracer {
 
   const World& world_;
   LidarOptions options_;
-  Footprint footprint_;
+  BeamFootprint footprint_;
 };
 
 }  // namespace scanchor

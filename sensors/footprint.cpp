@@ -17,7 +17,7 @@ double footprint_spread(const LidarOptions& options, double range, double cosine
   return 0.25 * footprint_diameter(options, range) * std::sqrt(1.0 - c * c) / c;
 }
 
-Footprint::Footprint(const LidarOptions& options, std::uint64_t seed)
+BeamFootprint::BeamFootprint(const LidarOptions& options, std::uint64_t seed)
     : aperture_(options.aperture),
       divergence_(options.divergence),
       seed_(stream_seed(seed, "footprint")) {
@@ -35,7 +35,7 @@ Footprint::Footprint(const LidarOptions& options, std::uint64_t seed)
   }
 }
 
-Footprint::Axes Footprint::axes(const Eigen::Vector3d& d, int line, int beam) const {
+BeamFootprint::Axes BeamFootprint::axes(const Eigen::Vector3d& d, int line, int beam) const {
   // Any axis that is not along the beam will do: the pattern is turned at random anyway.
   const Eigen::Vector3d helper = std::fabs(d.z()) < 0.9 ? Eigen::Vector3d(0, 0, 1) : Eigen::Vector3d(1, 0, 0);
   Eigen::Vector3d a = helper.cross(d);
@@ -47,7 +47,7 @@ Footprint::Axes Footprint::axes(const Eigen::Vector3d& d, int line, int beam) co
   return {c * a + s * b, c * b - s * a};
 }
 
-Ray Footprint::subray(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+Ray BeamFootprint::subray(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                       const Axes& axes, std::size_t i) const {
   const Eigen::Vector3d side = 0.5 * (points_[i].u * axes.u + points_[i].v * axes.v);
   Ray ray;

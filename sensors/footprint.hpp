@@ -19,9 +19,9 @@ double footprint_spread(const LidarOptions& options, double range, double cosine
 /// Points in the beam's cross-section, each for the same energy: a sunflower (Vogel, "A better way to construct the sunflower head",
 /// Mathematical Biosciences 44, 1979) with the radii at equal shares of the profile's energy. Each beam turns the pattern by an angle
 /// of its own, so that the mean over beams is the integral over the profile.
-class Footprint {
+class BeamFootprint {
  public:
-  Footprint(const LidarOptions& options, std::uint64_t seed);
+  BeamFootprint(const LidarOptions& options, std::uint64_t seed);
 
   struct Point {
     double u, v;  ///< in half diameters

@@ -19,15 +19,15 @@ bool same_thing(const Instance& a, const Instance& b) {
 }
 
 /// What may change with a relation because one follows from the other.
-std::set<Relation> follows(Relation relation) {
+std::set<SpatialRelation> follows(SpatialRelation relation) {
   switch (relation) {
-    case Relation::left_of:
-    case Relation::right_of: return {Relation::left_of, Relation::right_of};
-    case Relation::in_front_of:
-    case Relation::behind: return {Relation::in_front_of, Relation::behind};
-    case Relation::inside: return {Relation::inside, Relation::on};  // one cannot lie in a crate without lying on its bottom
+    case SpatialRelation::left_of:
+    case SpatialRelation::right_of: return {SpatialRelation::left_of, SpatialRelation::right_of};
+    case SpatialRelation::in_front_of:
+    case SpatialRelation::behind: return {SpatialRelation::in_front_of, SpatialRelation::behind};
+    case SpatialRelation::inside: return {SpatialRelation::inside, SpatialRelation::on};  // one cannot lie in a crate without lying on its bottom
     // A board that is no longer parallel has other plane distances.
-    case Relation::coplanar: return {Relation::coplanar};
+    case SpatialRelation::coplanar: return {SpatialRelation::coplanar};
     default: return {relation};
   }
 }
@@ -35,21 +35,21 @@ std::set<Relation> follows(Relation relation) {
 class Contrast : public ::testing::TestWithParam<std::size_t> {};
 
 TEST_P(Contrast, PairsDifferInOneThingAndOneRelation) {
-  const auto relation = static_cast<Relation>(GetParam());
+  const auto relation = static_cast<SpatialRelation>(GetParam());
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     const ContrastPair pair = contrastive_pair(relation, seed);
     ASSERT_EQ(pair.with.instances.size(), pair.without.instances.size());
     for (std::size_t i = 0; i < pair.with.instances.size(); ++i) {
       EXPECT_EQ(same_thing(pair.with.instances[i], pair.without.instances[i]), i != pair.a) << i;
     }
-    const auto value = [&](const Scene& scene, Relation r) {
+    const auto value = [&](const Scene& scene, SpatialRelation r) {
       return relate(instance_body(scene, pair.a), instance_body(scene, pair.b), r, pair.viewpoint);
     };
     EXPECT_GE(value(pair.with, relation).margin, 0.15);
     EXPECT_LE(value(pair.without, relation).margin, -0.15);
     const auto allowed = follows(relation);
     for (std::size_t k = 0; k < relation_count; ++k) {
-      const auto other = static_cast<Relation>(k);
+      const auto other = static_cast<SpatialRelation>(k);
       if (allowed.count(other) != 0 || needs_viewpoint(other)) continue;
       EXPECT_EQ(value(pair.with, other).holds(), value(pair.without, other).holds()) << relation_name(relation) << " also changed " << relation_name(other) << " (seed " << seed << ")";
     }
@@ -59,12 +59,12 @@ TEST_P(Contrast, PairsDifferInOneThingAndOneRelation) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Relations, Contrast, ::testing::Range(std::size_t{0}, relation_count), [](const auto& relation) {
-  std::string name(relation_name(static_cast<Relation>(relation.param)));
+  std::string name(relation_name(static_cast<SpatialRelation>(relation.param)));
   for (char& c : name) c = c == ' ' ? '_' : c;
   return name;
 });
 
-TEST(ContrastPairs, AnImpossibleMarginIsAnError) { EXPECT_THROW(contrastive_pair(Relation::parallel, 1, 1.5), Error); }
+TEST(ContrastPairs, AnImpossibleMarginIsAnError) { EXPECT_THROW(contrastive_pair(SpatialRelation::parallel, 1, 1.5), Error); }
 
 }  // namespace
 }  // namespace scanchor

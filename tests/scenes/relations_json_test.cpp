@@ -32,7 +32,7 @@ TEST(RelationsJson, HasEveryFaceAndReadableRelations) {
 TEST(RelationsJson, NearMissesAreListedOnRequest) {
   const Scene scene = generate_room({}, 2);
   RelationQuery query;
-  query.relations = {Relation::near};
+  query.relations = {SpatialRelation::near};
   const std::size_t clear = truth_to_json(scene, query)["instance_relations"].size();
   query.least_margin = -0.5;
   EXPECT_GT(truth_to_json(scene, query)["instance_relations"].size(), clear);

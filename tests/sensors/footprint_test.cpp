@@ -16,17 +16,17 @@ LidarOptions lms_1xx(int subrays, const char* profile) {
   return o;
 }
 
-TEST(Footprint, DiameterAndSpreadOfTheSickManual) {
+TEST(BeamFootprint, DiameterAndSpreadOfTheSickManual) {
   const LidarOptions o = lms_1xx(31, "uniform");
   EXPECT_NEAR(footprint_diameter(o, 4.0), 0.068, 1e-12);
   EXPECT_NEAR(footprint_spread(o, 4.0, std::cos(radians(60.0))), 0.029, 0.0005);
   EXPECT_EQ(footprint_spread(o, 4.0, 1.0), 0.0);
 }
 
-TEST(Footprint, RangesOnATiltedPlaneSpreadByDOverFourTanA) {
+TEST(BeamFootprint, RangesOnATiltedPlaneSpreadByDOverFourTanA) {
   for (const char* profile : {"uniform", "gaussian"}) {
     const LidarOptions o = lms_1xx(2000, profile);
-    const Footprint footprint(o, 1);
+    const BeamFootprint footprint(o, 1);
     const Eigen::Vector3d origin(0, 0, 0), direction(1, 0, 0);
     const double a = radians(45.0);
     const Eigen::Vector3d normal(-std::cos(a), std::sin(a), 0);
@@ -45,11 +45,11 @@ TEST(Footprint, RangesOnATiltedPlaneSpreadByDOverFourTanA) {
   }
 }
 
-TEST(Footprint, EqualEnergyInsideEveryRadius) {
-  const Footprint disc(lms_1xx(1000, "uniform"), 1);
-  const Footprint gauss(lms_1xx(1000, "gaussian"), 1);
+TEST(BeamFootprint, EqualEnergyInsideEveryRadius) {
+  const BeamFootprint disc(lms_1xx(1000, "uniform"), 1);
+  const BeamFootprint gauss(lms_1xx(1000, "gaussian"), 1);
   for (const double radius : {0.2, 0.5, 0.8}) {
-    const auto inside = [&](const Footprint& f) {
+    const auto inside = [&](const BeamFootprint& f) {
       int count = 0;
       for (const auto& p : f.points()) count += std::hypot(p.u, p.v) < radius ? 1 : 0;
       return count / 1000.0;
@@ -60,17 +60,17 @@ TEST(Footprint, EqualEnergyInsideEveryRadius) {
   EXPECT_LE(disc.reach(), 1.0);
 }
 
-TEST(Footprint, OneRayIsTheMiddle) {
+TEST(BeamFootprint, OneRayIsTheMiddle) {
   LidarOptions o = lms_1xx(1, "uniform");
-  const Footprint footprint(o, 1);
+  const BeamFootprint footprint(o, 1);
   const Eigen::Vector3d direction = Eigen::Vector3d(1, 2, 3).normalized();
   const Ray ray = footprint.subray({1, 1, 1}, direction, footprint.axes(direction, 0, 0), 0);
   EXPECT_EQ(ray.origin, Eigen::Vector3d(1, 1, 1));
   EXPECT_LT((ray.direction - direction).norm(), 1e-15);
 }
 
-TEST(Footprint, EachBeamTurnsThePattern) {
-  const Footprint footprint(lms_1xx(7, "uniform"), 1);
+TEST(BeamFootprint, EachBeamTurnsThePattern) {
+  const BeamFootprint footprint(lms_1xx(7, "uniform"), 1);
   const auto a = footprint.axes({1, 0, 0}, 0, 0), b = footprint.axes({1, 0, 0}, 0, 1);
   EXPECT_GT((a.u - b.u).norm(), 1e-3);
   for (const auto& d : {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(0.6, 0, 0.8)}) {

@@ -40,7 +40,7 @@ TEST(OfficeRooms, ShelvesCarryWhatLiesOnThem) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const Scene scene = generate_room(options, seed);
     RelationQuery query;
-    query.relations = {Relation::inside};
+    query.relations = {SpatialRelation::inside};
     for (const auto& fact : instance_relations(scene, query)) {
       const auto& b = scene.instances[static_cast<std::size_t>(fact.b)];
       const auto& a = scene.instances[static_cast<std::size_t>(fact.a)];
