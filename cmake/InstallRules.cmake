@@ -17,6 +17,9 @@ foreach(folder ontologies suites protocols)
     install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/${folder} DESTINATION ${CMAKE_INSTALL_DATADIR}/scanchor)
   endif()
 endforeach()
+install(FILES results/report/bundle.js results/report/style.css results/report/LICENSES.txt
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/scanchor/results/report)
+install(FILES results/font/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/scanchor/results/font)
 install(EXPORT scanchor_targets NAMESPACE scanchor:: FILE scanchorTargets.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/scanchor)
 configure_package_config_file(cmake/scanchorConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/scanchorConfig.cmake

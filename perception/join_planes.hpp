@@ -12,8 +12,8 @@ namespace scanchor {
 /// the smaller one's noise, for surfaces that are no mathematical planes.
 bool same_plane(const GrownPlane& a, const GrownPlane& b, double sigma);
 
-/// As same_plane, and both pieces know their plane well enough at the other's place (half a sigma) that it is no accident: for
-/// pieces that do not touch, like a floor on both sides of a shadow.
+/// As same_plane, both pieces know their plane well enough at the other's place (half a sigma) that it is no accident, and the gap between
+/// them is at most half the extent of the smaller one: for pieces that do not touch, like a floor on both sides of a shadow.
 bool surely_same_plane(const GrownPlane& a, const GrownPlane& b, double sigma);
 
 /// Joins `pairs` (of indices into `planes`, i < j, rising) for which the test holds, the planes updated as it goes. Returns for each
