@@ -1,4 +1,5 @@
 # Tests mirror the tree: every source of a room has tests/<room>/<same name>_test.cpp.
+cmake_policy(VERSION 3.24)
 set(missing "")
 foreach(room core cloud scenes sim sensors perception reasoning eval results)
   file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/${room}/*.cpp)
