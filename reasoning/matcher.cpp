@@ -14,14 +14,18 @@ namespace {
 constexpr double extremum_tolerance = 0.10;  // [m] S18: within 10 cm of the 1st percentile
 constexpr double extremum_share = 0.01;
 
+/// Area that is there beyond doubt [m2]: a plane seen at a grazing angle through a gap has an outline of any size, and must not say
+/// where the room ends.
+double sure_area(const Item& item) { return std::max(0.0, item.area.value - 2.0 * item.area.sigma); }
+
 /// Height below which the given share of the observed area lies.
 double area_percentile(const std::vector<Item>& items, double share) {
   double total = 0.0;
   double low = INFINITY;
   double high = -INFINITY;
   for (const auto& item : items) {
-    if (!item.has_shape) continue;
-    total += item.area.value;
+    if (!item.has_shape || sure_area(item) <= 0.0) continue;
+    total += sure_area(item);
     low = std::min(low, item.z_low);
     high = std::max(high, item.z_high);
   }
@@ -32,7 +36,7 @@ double area_percentile(const std::vector<Item>& items, double share) {
     for (const auto& item : items) {
       if (!item.has_shape) continue;
       const double length = std::max(item.z_high - item.z_low, 1e-6);
-      below += item.area.value * std::clamp((z - item.z_low) / length, 0.0, 1.0);
+      below += sure_area(item) * std::clamp((z - item.z_low) / length, 0.0, 1.0);
     }
     (below < share * total ? low : high) = z;
   }
@@ -101,13 +105,16 @@ Matcher::Matcher(const Ontology& ontology, std::vector<Item> items, const Surrou
   double total = 0.0;
   for (const auto& item : items_) {
     if (!item.has_shape) continue;
-    middle_ += item.center * item.area.value;
-    total += item.area.value;
+    if (sure_area(item) <= 0.0) continue;
+    middle_ += item.center * sure_area(item);
+    total += sure_area(item);
     largest_.push_back(item.id);
   }
   if (total > 0.0) middle_ /= total;
   std::sort(largest_.begin(), largest_.end(), [&](std::int32_t a, std::int32_t b) {
-    return items_[a].area.value != items_[b].area.value ? items_[a].area.value > items_[b].area.value : a < b;
+    const double first = sure_area(items_[a]);
+    const double second = sure_area(items_[b]);
+    return first != second ? first > second : a < b;
   });
   if (largest_.size() > 256) largest_.resize(256);
 }
@@ -135,8 +142,8 @@ double Matcher::outside_share(std::int32_t id) const {
     const double d = inwards.dot(b.center - a.center);
     const double half = std::abs(inwards.dot(b.along)) * b.half_length + std::abs(inwards.dot(b.across)) * b.half_width;
     const double reach = std::max(half, 1e-3);
-    behind += b.area.value * std::clamp((-extremum_tolerance - (d - reach)) / (2.0 * reach), 0.0, 1.0);
-    total += b.area.value;
+    behind += sure_area(b) * std::clamp((-extremum_tolerance - (d - reach)) / (2.0 * reach), 0.0, 1.0);
+    total += sure_area(b);
   }
   return total > 0.0 ? behind / total : 0.0;
 }
