@@ -15,6 +15,7 @@ constexpr double legend_size = 13.0;
 constexpr double legend_row = 21.0;
 constexpr double legend_most = 300.0;  // [px] longest text in a legend
 constexpr double label_size = 12.5;
+constexpr double label_least = 28.0;   // [px] of a thing that gets its name
 constexpr double bar_height = 180.0;
 constexpr Color panel{255, 255, 255, 225};
 
@@ -195,7 +196,9 @@ void draw_labels(Overlay& overlay, const Drawing& drawing, const Projection& pro
     const DrawnLabel& label = drawing.labels[i];
     const Eigen::Vector3d pixel = projection.pixel(label.anchor);
     const bool in_front = projection.parallel() || pixel.z() > projection.near_plane();
-    if (!in_front || label.text.empty() || !area.contains(pixel.head<2>())) {
+    const bool tiny =
+        label.extent > 0.0 && label.extent * projection.pixels_per_metre(pixel.z()) < label_least;
+    if (!in_front || tiny || label.text.empty() || !area.contains(pixel.head<2>())) {
       ++overlay.labels_left_out;
       continue;
     }

@@ -27,6 +27,19 @@ bool inside(const Point& a, const Point& b, const Point& c, const Point& p) {
   return cross(a, b, p) >= 0.0 && cross(b, c, p) >= 0.0 && cross(c, a, p) >= 0.0;
 }
 
+/// Whether p lies in the loop's interior angle at its corner i. Bridges repeat corners: only one copy sees p.
+bool opens_towards(const std::vector<int>& loop, const std::vector<Point>& points, std::size_t i,
+                   const Point& p) {
+  const std::size_t n = loop.size();
+  const Point& before = points[std::size_t(loop[(i + n - 1) % n])];
+  const Point& here = points[std::size_t(loop[i])];
+  const Point& after = points[std::size_t(loop[(i + 1) % n])];
+  const bool left_of_first = cross(before, here, p) >= 0.0;
+  const bool left_of_second = cross(here, after, p) >= 0.0;
+  return cross(before, here, after) >= 0.0 ? left_of_first && left_of_second
+                                           : left_of_first || left_of_second;
+}
+
 /// Joins a hole to the loop at the visible corner nearest to its rightmost vertex.
 void bridge(std::vector<int>& loop, std::vector<int> hole, const std::vector<Point>& points) {
   const auto right_of = [&](int a, int b) {
@@ -41,7 +54,7 @@ void bridge(std::vector<int>& loop, std::vector<int> hole, const std::vector<Poi
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const Point& a = points[std::size_t(loop[i])];
     const Point& b = points[std::size_t(loop[(i + 1) % loop.size()])];
-    if ((a.y() > start.y()) == (b.y() > start.y())) continue;
+    if (a.y() > start.y() || b.y() <= start.y()) continue;  // the interior is left of upward edges
     const double x = a.x() + (start.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
     if (x >= start.x() && x < nearest) {
       nearest = x;
@@ -59,7 +72,7 @@ void bridge(std::vector<int>& loop, std::vector<int> hole, const std::vector<Poi
     const Point& p = points[std::size_t(loop[i])];
     const bool in = candidate.y() < start.y() ? inside(start, candidate, meet, p)
                                               : inside(start, meet, candidate, p);
-    if (!in || p.x() <= start.x()) continue;
+    if (!in || p.x() <= start.x() || !opens_towards(loop, points, i, start)) continue;
     const double slope = std::abs(p.y() - start.y()) / (p.x() - start.x());
     if (slope < best_slope) {
       best_slope = slope;

@@ -25,7 +25,8 @@ Eigen::AlignedBox3d roomy(const Eigen::AlignedBox3d& box) {
     return {Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, 1)};
   }
   const double least = std::max(1e-3 * box.diagonal().norm(), 0.05);
-  return {box.min().array() - least / 2, box.max().array() + least / 2};
+  const Eigen::Vector3d half = box.sizes().cwiseMax(least) / 2;
+  return {box.center() - half, box.center() + half};
 }
 
 Eigen::Vector3d direction(double azimuth_deg, double elevation_deg) {

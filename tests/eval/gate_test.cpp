@@ -70,8 +70,8 @@ int alarms(int scenes, double drop, int trials) {
 }
 
 TEST(Gate, RaisesFewAlarmsWhenNothingChanged) {
-  EXPECT_LE(alarms(100, 0.0, 120), 6);
-}  // 5 % of 120
+  EXPECT_LE(alarms(100, 0.0, 1000), 50);
+}  // 5 % of 1000; with 120 trials chance alone gives 2 to 10
 TEST(Gate, CatchesTwoPointsWithHundredScenes) { EXPECT_GE(alarms(100, 0.02, 60), 57); }  // 95 %
 TEST(Gate, CatchesOnePointWithTwoHundredScenes) {
   EXPECT_GE(alarms(200, 0.01, 60), 43);

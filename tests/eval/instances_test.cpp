@@ -145,7 +145,9 @@ double coco_by_definition(const std::vector<Masks>& scans, double threshold) {
     double best = 0, right = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
       right += all[i].right;
-      if (right / truths >= 0.01 * step - 1e-12)
+      // Without tolerance: numpy's linspace has 0.35000000000000003 for 35 %, which 7 of 20 do not
+      // reach, and published figures carry that.
+      if (right / truths >= 0.01 * step)
         best = std::max(best, right / static_cast<double>(i + 1));
     }
     area += best / 101.0;

@@ -81,7 +81,7 @@ TEST(Report, ADamagedRoomDoesNotTakeTheOthersAway) {
   const std::string html = read_file(run / "report.html");
   EXPECT_EQ(count(html, "id=\"scene-0\""), 1u);
   EXPECT_EQ(count(html, "id=\"scene-1\""), 0u);
-  EXPECT_EQ(count(html, "\"problem\""), 1u);
+  EXPECT_EQ(count(html, "\"problem\":"), 1u);
 }
 
 TEST(Report, WhatIsMissingIsNamed) {
