@@ -20,23 +20,34 @@ std::vector<float> ranges_of(const PointCloud& cloud, const std::vector<std::uin
   return ranges;
 }
 
-// The radius of an empty shell around the sensor, or 0.
+// The radius of the scanner's own body: of a cluster of near returns with a shell around it that is empty but for mixed pixels.
+// 0: none.
 double find_body(const std::vector<float>& ranges) {
-  constexpr double reach = 1.0, gap = 1.25, share = 0.005;
+  constexpr double reach = 1.0;         // of a body with nothing at all around it
+  constexpr double reach_veiled = 0.5;  // of one with a veil of mixed pixels between its edges and the room
+  constexpr double gap = 1.25, share = 0.005, veil = 0.05;
   std::vector<float> near;
   for (const float r : ranges) {
     if (r < reach * gap) near.push_back(r);
   }
   std::sort(near.begin(), near.end());
   const auto least = static_cast<std::size_t>(std::max(20.0, share * static_cast<double>(ranges.size())));
-  for (std::size_t i = near.size(); i-- > least;) {
-    if (near[i - 1] < reach && near[i] > gap * near[i - 1]) return 0.5 * (near[i - 1] + near[i]);
+  double radius = 0.0;
+  std::size_t fewest = 0, end = 0;  // `end`: first return beyond the shell around the first i
+  for (std::size_t i = least; i <= near.size() && i < ranges.size() && near[i - 1] < reach; ++i) {
+    while (end < near.size() && near[end] <= gap * near[i - 1]) ++end;
+    const std::size_t between = end - i;
+    const bool shell = between == 0 || (near[i - 1] < reach_veiled && static_cast<double>(between) <= veil * static_cast<double>(i));
+    if (!shell) {
+      if (radius > 0.0) break;  // the first gap ends: what follows is the room
+      continue;
+    }
+    if (radius > 0.0 && between >= fewest) continue;
+    radius = 0.5 * near[i - 1] * (1.0 + gap);
+    fewest = between;
+    if (between == 0) break;
   }
-  // Nothing between the cluster and the end of the search: the shell reaches past it.
-  if (near.size() >= least && near.size() < ranges.size() && near.back() < reach) {
-    return 0.5 * near.back() * (1.0 + gap);
-  }
-  return 0.0;
+  return radius;
 }
 
 // Ranges from here on are the scanner's way of saying "nothing seen"; infinity where it has none.

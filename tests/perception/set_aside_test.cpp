@@ -41,6 +41,19 @@ TEST(SetAside, CountsEachCauseOnce) {
   EXPECT_TRUE(std::is_sorted(usable.index.begin(), usable.index.end()));
 }
 
+// Beams that half hit the body's edge return from between it and the room.
+TEST(SetAside, MixedPixelsDoNotHideTheBody) {
+  SequentialRandom random(4);
+  PointCloud cloud = with_sensor_at({0, 0, 0});
+  for (int i = 0; i < 2000; ++i) cloud.points.push_back(random.uniform(0.10, 0.18) * direction(random));
+  for (int i = 0; i < 60; ++i) cloud.points.push_back(random.uniform(0.18, 1.0) * direction(random));
+  for (int i = 0; i < 8000; ++i) cloud.points.push_back(random.uniform(1.0, 6.0) * direction(random));
+  const UsablePoints usable = set_aside(cloud, -1.0);
+  EXPECT_GE(usable.set_aside.scanner_body, 2000U);
+  EXPECT_LE(usable.set_aside.scanner_body, 2040U);
+  EXPECT_LT(usable.body_radius, 0.6);
+}
+
 TEST(SetAside, WithoutASensorOnlyNumbersThatAreNone) {
   SequentialRandom random(2);
   PointCloud cloud;
