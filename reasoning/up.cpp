@@ -62,8 +62,9 @@ double upright_evidence(const Surfaces& surfaces, const Eigen::Vector3d& up) {
     const double c = surface.plane.normal.dot(up);
     if (std::abs(c) < 0.97 || area_of(surface) < 0.05) continue;
     const double z = up.dot(surface.plane.centroid);
-    // The lowest and the highest plane are floor and ceiling either way round.
-    if (z < low + 0.15 || z > high - 0.15) continue;
+    // The lowest and the highest planes are floor and ceiling either way round; real ones come in pieces at several heights.
+    const double rim = std::max(0.15, 0.12 * (high - low));
+    if (z < low + rim || z > high - rim) continue;
     const double weight = std::min(1.0, area_of(surface));
     if (seen_from_somewhere) {
       evidence += (c > 0.0 ? 1.5 : -1.5) * weight;
@@ -72,6 +73,18 @@ double upright_evidence(const Surfaces& surfaces, const Eigen::Vector3d& up) {
     }
   }
   return evidence;
+}
+
+/// What frames usually are (ROS REP 103): bodies and maps have z up; optical frames look along z and have y down. A frame in which
+/// everything lies in front of the origin, in a cone of 60 degrees about z, is an optical one. A room's three directions have the same
+/// support but for what is hidden, so a little decides: 1 along the usual up direction (within 8 degrees), -1 against it, else 0.
+double usual_frame(const Surfaces& surfaces, const Eigen::Vector3d& trial) {
+  const bool optical = std::all_of(surfaces.surfaces.begin(), surfaces.surfaces.end(), [](const Surface& surface) {
+    const Eigen::Vector3d& c = surface.plane.centroid;
+    return c.z() > 0.0 && c.head<2>().norm() < 1.7320508 * c.z();
+  });
+  const double along = optical ? -trial.y() : trial.z();
+  return std::abs(along) > std::cos(radians(8.0)) ? (along > 0.0 ? 1.0 : -1.0) : 0.0;
 }
 
 }  // namespace
@@ -98,13 +111,14 @@ UpDirection find_up(const Surfaces& surfaces, const std::string& given, double s
     // A room has three such directions; up is the one with furniture on one side. Area decides first, then furniture.
     double best = -1.0;
     for (const auto& trial : trials) {
-      const double value = support(surfaces, trial) + std::abs(upright_evidence(surfaces, trial));
+      const double value = support(surfaces, trial) * (1.0 + 0.15 * std::abs(usual_frame(surfaces, trial))) + std::abs(upright_evidence(surfaces, trial));
       if (value > best + 1e-9) {
         best = value;
         result.up = trial;
       }
     }
-    if (upright_evidence(surfaces, result.up) < 0.0) result.up = -result.up;
+    // The usual sign is worth two square metres of table tops.
+    if (upright_evidence(surfaces, result.up) + 2.0 * usual_frame(surfaces, result.up) < 0.0) result.up = -result.up;
     result.sigma = radians(5.0);
   } else {
     const auto direction = parse_direction(given);
