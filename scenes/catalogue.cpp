@@ -130,8 +130,9 @@ Instance make_furniture(Scene& scene, const FurnitureRequest& request) {
                suggestion(request.variant, variants));
   }
   for (const auto& [name, value] : request.parameters) {
-    if (!std::isfinite(value) || value < 0 || value > 100) {
-      fail_usage("parameter '" + name + "' of a " + request.kind + " must lie in 0 .. 100");
+    const bool angle = name.size() > 4 && name.compare(name.size() - 4, 4, "_deg") == 0;
+    if (!std::isfinite(value) || value < 0 || value > (angle ? 180 : 100)) {
+      fail_usage("parameter '" + name + "' of a " + request.kind + " must lie in 0 .. " + (angle ? "180" : "100"));
     }
   }
   instance.loose = entry.info.loose;

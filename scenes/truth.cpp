@@ -146,7 +146,7 @@ void find_faces(Part& part, double flat_deg, double distance) {
   const auto edge_of = [&](std::size_t t, int k) {
     const int a = id_of_vertex[static_cast<std::size_t>(part.triangles[t][k])];
     const int b = id_of_vertex[static_cast<std::size_t>(part.triangles[t][(k + 1) % 3])];
-    return std::minmax(a, b);
+    return std::pair<int, int>(std::minmax(a, b));  // minmax alone gives references to a and b
   };
   for (std::size_t t = 0; t < count; ++t) {
     for (int k = 0; k < 3; ++k) edges[edge_of(t, k)].push_back(t);

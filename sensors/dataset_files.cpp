@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -187,12 +188,20 @@ std::vector<Eigen::Isometry3d> parse_poses(std::string_view poses, std::string_v
     if (line.starts_with("Tr:") && !parse_3x4(line.substr(3), Tr)) {
       fail_data(calib_file, fmt::format("line {}", number), "Tr is not 12 numbers");
     }
+    if (line.starts_with("Tr:") && !(std::abs(Tr.linear().determinant()) > 1e-6)) {
+      fail_data(calib_file, fmt::format("line {}", number), "Tr cannot be inverted");
+    }
   });
   std::vector<Eigen::Isometry3d> result;
   each_line(poses, [&](std::string_view line, std::size_t number) {
     Eigen::Isometry3d pose;
     if (!parse_3x4(line, pose)) fail_data(poses_file, fmt::format("line {}", number), "a pose is not 12 numbers");
-    result.push_back(Tr.inverse() * pose * Tr);
+    // Calibrations in text are orthonormal only to their digits, so the transpose is not quite the inverse.
+    const Eigen::Matrix3d back = Tr.linear().inverse();
+    Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+    T.linear() = back * (pose.linear() * Tr.linear());
+    T.translation() = back * (pose.linear() * Tr.translation() + pose.translation() - Tr.translation());
+    result.push_back(T);
   });
   return result;
 }

@@ -75,7 +75,7 @@ void make_chair(Maker& m) {
       const double r = 0.0125;
       m.add(cylinder_part(side + "runner", frame, {x, y0, r + glide}, {x, y1, r + glide}, r, 8));
       m.add(cylinder_part(side + "upright", frame, {x, y0, r + 0.005}, {x, y0, seat - t - 0.006}, r, 8));
-      m.add(cylinder_part(side + "bearer", frame, {x, y0, seat - t - 0.010}, {x, y1 - 0.02, seat - t - 0.010}, r, 8));
+      m.add(cylinder_part(side + "bearer", frame, {x, y0, seat - t - 0.010}, {x, y1 - 0.016, seat - t - 0.010}, r, 8));  // ends behind the seat
       m.add(cylinder_part(side + "back tube", frame, {x, y1 - 0.03, seat - t - 0.012},
                           root + tilt * Eigen::Vector3d(x, 0.008, back - 0.12), r, 8));
     }

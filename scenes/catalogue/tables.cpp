@@ -217,7 +217,7 @@ void make_workbench(Maker& m) {
     m.box("drawer box", metal, {x - 0.5, -0.5 * depth + 0.05, top - 0.45}, {x + joint, 0.5 * depth - 0.1, top - joint * 2});
     for (int i = 0; i < 3; ++i) {
       const double z = top - 0.445 + 0.145 * i;
-      m.box("drawer " + std::to_string(i + 1), metal, {x - 0.49, -0.5 * depth + 0.034, z}, {x - 0.012, -0.5 * depth + 0.05 + joint, z + 0.14});
+      m.box("drawer " + std::to_string(i + 1), metal, {x - 0.49, -0.5 * depth + 0.032, z}, {x - 0.012, -0.5 * depth + 0.05 + joint, z + 0.14});
     }
   }
 }

@@ -20,6 +20,11 @@ bool furnish_office(Placer& placer, const RoomPlan& plan) {
   const double clutter = placer.options().clutter;
   prepare(placer, plan, true);
   if (!workplace(placer, plan.turned({Side::north, Side::east, Side::west}), 2)) return false;
+  const auto have = [&](const char* kind) {
+    const auto& all = placer.scene().instances;
+    return std::count_if(all.begin(), all.end(), [&](const Instance& thing) { return thing.kind == kind; });
+  };
+  if (have("monitor") < 2 || have("chair") < 1) return false;
   const Eigen::Vector2d size = plan.shell.high - plan.shell.low;
   if (size.x() * size.y() > 21.0 && random.chance(0.6)) {
     workplace(placer, plan.turned({Side::east, Side::west, Side::north}), static_cast<int>(random.below(4)));

@@ -76,7 +76,7 @@ TEST(Collide, CloseParallelFacesAreFound) {
   scene.instances[1].T_world_instance = pose_at({0, 0, 0.102});
   EXPECT_TRUE(close_parallel_faces(scene, 0.001).empty());
   // Beside each other they share a plane but nothing overlaps.
-  scene.instances[1].T_world_instance = pose_at({0.75, 0, 0});
+  scene.instances[1].T_world_instance = pose_at({0.76, 0, 0});
   EXPECT_TRUE(close_parallel_faces(scene, 0.001).empty());
   // Flush tops of things that run into each other tie for every ray from above.
   scene.instances[1].T_world_instance = pose_at({0.6, 0, 0});

@@ -111,7 +111,7 @@ TEST(SceneJson, EachMistakeGivesOneClearLine) {
     const char* place;
     const char* cause;
   } table[] = {
-      {R"({"instances": [{"class": "dekc", "parts": [{"box": {"size": [1,1,1]}}]}]})", "instances[0].class", "did you mean 'desk'"},
+      {R"({"instances": [{"class": "desl", "parts": [{"box": {"size": [1,1,1]}}]}]})", "instances[0].class", "did you mean 'desk'"},
       {R"({"instances": [{"class": "box", "parts": [{"box": {"size": [1,-1,1]}}]}]})", "parts[0].box.size", "above 0"},
       {R"({"instances": [{"class": "box", "parts": [{"box": {"size": [1,0,1]}}]}]})", "parts[0].box.size", "above 0"},
       {R"({"instances": [{"class": "box", "parts": [{"box": {"size": [1,null,1]}}]}]})", "size[1]", "must be a number"},
@@ -120,7 +120,8 @@ TEST(SceneJson, EachMistakeGivesOneClearLine) {
       {R"({"instances": [{"id": 3, "class": "box", "parts": [{"box": {"size": [1,1,1]}}]}, {"id": 3, "class": "box", "parts": [{"box": {"size": [1,1,1]}}]}]})",
        "instances[1].id", "used twice"},
       {R"({"instances": [{"id": 0, "class": "box", "parts": [{"box": {"size": [1,1,1]}}]}]})", "instances[0].id", "1 .. 65535"},
-      {R"({"instances": [{"class": "desk", "kind": "desk", "variant": "three legs"}]})", "instances[0]", "did you mean 'four legs'"},
+      {R"({"instances": [{"class": "desk", "kind": "desk", "variant": "four lges"}]})", "instances[0]", "did you mean 'four legs'"},
+      {R"({"instances": [{"class": "desk", "kind": "desk", "variant": "three legs"}]})", "instances[0]", "known are: four legs"},
       {R"({"instances": [{"kind": "desk", "parameters": {"widht": 2}}]})", "instances[0]", "did you mean 'width'"},
       {R"({"instances": [{"kind": "dask"}]})", "instances[0]", "did you mean 'desk'"},
       {R"({"instances": [{"class": "box", "parts": [{"material": "cardbord", "box": {"size": [1,1,1]}}]}]})", "material", "did you mean 'cardboard'"},
