@@ -11,6 +11,10 @@
 #include "core/json.hpp"
 #include "core/options.hpp"
 
+namespace scanchor {
+struct Suite;
+}
+
 namespace scanchor::apps {
 
 /// Flags that mean the same in every verb.
@@ -26,6 +30,9 @@ void add_common(CLI::App& verb, Common& common, bool with_set = true);
 
 /// Applies every `--set` to the list; an unknown name or a bad value is an Error(wrong_usage).
 void apply_settings(OptionList& list, const Common& common);
+/// The same where a suite is among what the list describes: "room.", "settle." and "lidar." go through set_suite_option, which loads a
+/// preset and chooses the family; the rest goes to the list.
+void apply_settings(Suite& suite, OptionList& list, const Common& common);
 
 /// Prints a line of the human answer; nothing under --quiet or --json.
 void say(const Common& common, const std::string& line);
@@ -51,6 +58,7 @@ void add_explain(CLI::App& root, ExitCodeSlot& code);
 void add_render(CLI::App& root, ExitCodeSlot& code);
 void add_report(CLI::App& root, ExitCodeSlot& code);
 void add_figures(CLI::App& root, ExitCodeSlot& code);
+void add_fit(CLI::App& root, ExitCodeSlot& code);
 void add_check(CLI::App& root, ExitCodeSlot& code);
 void add_baseline(CLI::App& root, ExitCodeSlot& code);
 void add_sweep(CLI::App& root, ExitCodeSlot& code);

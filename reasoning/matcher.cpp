@@ -18,29 +18,41 @@ constexpr double extremum_share = 0.01;
 /// where the room ends.
 double sure_area(const Item& item) { return std::max(0.0, item.area.value - 2.0 * item.area.sigma); }
 
-/// Height below which the given share of the observed area lies.
-double area_percentile(const std::vector<Item>& items, double share) {
+struct Level {
+  double z, area;
+};
+
+/// Height below which the given share of the area lies; NAN without area.
+double percentile(std::vector<Level> levels, double share) {
   double total = 0.0;
-  double low = INFINITY;
-  double high = -INFINITY;
+  for (const auto& level : levels) total += level.area;
+  std::sort(levels.begin(), levels.end(), [](const Level& a, const Level& b) { return a.z < b.z; });
+  double below = 0.0;
+  for (const auto& level : levels) {
+    below += level.area;
+    if (below >= share * total) return level.z;
+  }
+  return levels.empty() ? NAN : levels.back().z;
+}
+
+/// Lowest (sign 1) or highest (-1) level of the scene. Floors and ceilings are level (S18): a wall whose outline runs out through a
+/// window must not move them. But where walls, most of them, go on beyond all that is level, the end of the walls is it: the floor
+/// was not seen, and the tops of desks are none.
+double end_level(const std::vector<Item>& items, const std::vector<Evidence>& horizontal, double sign) {
+  constexpr double beyond = 0.3;
+  std::vector<Level> flat;
+  std::vector<Level> upright;
   for (const auto& item : items) {
-    if (!item.has_shape || sure_area(item) <= 0.0) continue;
-    total += sure_area(item);
-    low = std::min(low, item.z_low);
-    high = std::max(high, item.z_high);
+    const double area = sure_area(item);
+    if (!item.has_shape || area <= 0.0) continue;
+    const double level = horizontal[static_cast<std::size_t>(item.id)].likelihood;
+    if (level > 0.1) flat.push_back({sign * item.z, area * level});
+    if (level < 0.1) upright.push_back({sign > 0.0 ? item.z_low : -item.z_high, area});
   }
-  if (total <= 0.0) return 0.0;
-  for (int step = 0; step < 40; ++step) {
-    const double z = 0.5 * (low + high);
-    double below = 0.0;
-    for (const auto& item : items) {
-      if (!item.has_shape) continue;
-      const double length = std::max(item.z_high - item.z_low, 1e-6);
-      below += sure_area(item) * std::clamp((z - item.z_low) / length, 0.0, 1.0);
-    }
-    (below < share * total ? low : high) = z;
-  }
-  return 0.5 * (low + high);
+  const double of_flat = percentile(std::move(flat), extremum_share);
+  const double of_walls = percentile(std::move(upright), 0.5);
+  if (std::isnan(of_flat) && std::isnan(of_walls)) return 0.0;
+  return sign * (std::isnan(of_flat) || of_walls < of_flat - beyond ? of_walls : of_flat);
 }
 
 /// True where a relation that needs nearness is certainly 0, from the boxes alone. 1.5 m is beyond eight standard deviations of
@@ -100,8 +112,8 @@ Matcher::Matcher(const Ontology& ontology, std::vector<Item> items, const Surrou
   }
   index_ = UnaryIndex(items_, horizontal_, vertical_);
   group_value_.assign(items_.size(), 0.0);
-  low_level_ = area_percentile(items_, extremum_share);
-  high_level_ = area_percentile(items_, 1.0 - extremum_share);
+  low_level_ = end_level(items_, horizontal_, 1.0);
+  high_level_ = end_level(items_, horizontal_, -1.0);
   double total = 0.0;
   for (const auto& item : items_) {
     if (!item.has_shape) continue;

@@ -1,0 +1,125 @@
+// scanchor fit: counts on training rooms how often each clause of a class file holds, and keeps it beside the file.
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+
+#include "apps/command.hpp"
+#include "core/data_folder.hpp"
+#include "core/parallel.hpp"
+#include "core/progress.hpp"
+#include "eval/run.hpp"
+#include "reasoning/fit.hpp"
+#include "scenes/classes.hpp"
+#include "sensors/suite.hpp"
+
+namespace scanchor::apps {
+namespace fs = std::filesystem;
+namespace {
+
+struct Arguments {
+  Common common;
+  std::string suite;
+  std::string ontology = "office";
+  std::string out;
+  int scenes = 0;
+  PerceiveOptions perceive;
+  ReasonOptions reason;
+};
+
+constexpr double clear_majority = 0.6;  // of a surface's points have to be of one class for it to teach that class
+
+/// Class of most of a surface's points; "" where no class has a clear majority.
+std::vector<std::string> true_names(const Scan& scan, const Surfaces& surfaces) {
+  std::vector<std::string> names;
+  for (const auto& surface : surfaces.surfaces) {
+    std::map<ClassId, std::size_t> votes;
+    for (const auto point : surface.inliers) ++votes[scan.truth.class_id[static_cast<std::size_t>(point)]];
+    std::string name;
+    for (const auto& [id, count] : votes) {
+      const bool clear = static_cast<double>(count) > clear_majority * static_cast<double>(surface.inliers.size());
+      if (clear && id != unlabelled) name = class_info(id).name;
+    }
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+int run(Arguments& arguments) {
+  const ThreadLimit limit(arguments.common.threads);
+  OptionList list;
+  list.add_group("perceive", arguments.perceive);
+  list.add_group("reason", arguments.reason);
+  apply_settings(list, arguments.common);
+  const Suite suite = read_suite(find_data_file("suites", arguments.suite, ".yaml"));
+  const Ontology ontology = find_ontology(arguments.ontology);
+  RunOptions part;
+  part.split = "train";
+  part.scenes = arguments.scenes;
+  const auto tasks = tasks_of(suite, part);
+  if (tasks.empty()) {
+    throw Error(ExitCode::nothing_measured, "suite " + suite.name + " has no training rooms; name one with more scenes");
+  }
+
+  std::vector<std::vector<TrainingScene>> made(tasks.size());
+  {
+    Progress progress("rooms", tasks.size(), {.quiet = arguments.common.quiet || arguments.common.json});
+    parallel_blocks(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        if (interrupted) return;
+        for (const auto& scan : make_scene(tasks[i], suite.scans).scans) {
+          TrainingScene scene;
+          scene.surfaces = perceive(scan.cloud, arguments.perceive);
+          scene.classes = true_names(scan, scene.surfaces);
+          made[i].push_back(std::move(scene));
+        }
+        progress.add();
+      }
+    });
+  }
+  if (interrupted) throw Error(ExitCode::nothing_measured, "interrupted before all rooms were seen; nothing was written");
+  std::vector<TrainingScene> scenes;
+  std::size_t surfaces = 0;
+  for (auto& room : made) {
+    for (auto& scene : room) {
+      surfaces += scene.surfaces.surfaces.size();
+      scenes.push_back(std::move(scene));
+    }
+  }
+
+  const std::string fitted_on = fmt::format("{}: {} rooms of the training part, {} scans, {} surfaces", suite.name, tasks.size(),
+                                            scenes.size(), surfaces);
+  const Background background = fit_backgrounds(ontology, scenes, arguments.reason, fitted_on);
+  const fs::path out = arguments.out.empty()
+                           ? fs::path(ontology.file).parent_path() / (ontology.name + ".background.json")
+                           : fs::path(arguments.out);
+  write_background(out, background);
+
+  Json json = background_to_json(background);
+  json["file"] = out.string();
+  answer(arguments.common, json);
+  say(arguments.common, "Counted on " + fitted_on + ".");
+  say(arguments.common, fmt::format("Unknown {:.2f}, exponent of the likelihood ratios {:.2f}.", background.unknown_prior,
+                                    background.temperature));
+  say(arguments.common, fmt::format("{} clauses of {} classes: {}", background.rates.size(), ontology.classes.size(), out.string()));
+  return 0;
+}
+
+}  // namespace
+
+void add_fit(CLI::App& root, ExitCodeSlot& code) {
+  auto* verb = root.add_subcommand("fit", "Count on training rooms how often each clause of a class file holds");
+  verb->footer("Example:\n  scanchor fit office --ontology office --out ontologies/office.background.json\n"
+               "Only rooms of the suite's training part are looked at.");
+  auto arguments = std::make_shared<Arguments>();
+  verb->add_option("suite", arguments->suite, "A suite by name or file")->required()->type_name("SUITE");
+  verb->add_option("--ontology", arguments->ontology, "Descriptions: a name or a .sdl file")->capture_default_str();
+  verb->add_option("--out", arguments->out, "File to write; without it: <ontology>.background.json beside the class file")
+      ->type_name("FILE");
+  verb->add_option("--scenes", arguments->scenes, "At most so many training rooms; 0: all")->check(CLI::Range(0, 1000000));
+  add_common(*verb, arguments->common);
+  verb->callback([arguments, &code] { code = run(*arguments); });
+}
+
+}  // namespace scanchor::apps
