@@ -199,6 +199,20 @@ Measured polygon_area(const std::vector<Polygon>& polygons, const std::vector<Ou
   return area;
 }
 
+/// True where a vertex lies outside the points' box by more than a quarter of its diagonal. A ray that nearly grazes the plane meets it
+/// far away or behind the scanner: such an outline says nothing, and the points alone say more.
+bool reaches_beyond(const std::vector<Polygon>& polygons, const std::vector<Eigen::Vector2d>& points) {
+  Eigen::AlignedBox2d box;
+  for (const auto& point : points) box.extend(point);
+  const double slack = 0.25 * box.diagonal().norm();
+  for (const Polygon& polygon : polygons) {
+    for (const auto& vertex : polygon.outer) {
+      if (box.exteriorDistance(vertex) > slack) return true;
+    }
+  }
+  return false;
+}
+
 /// Points on a line or fewer than three: no outline, a rectangle without width.
 void shape_degenerate(const FlatPoints& flat, Surface& surface) {
   surface.polygons.clear();
@@ -275,6 +289,10 @@ void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surface
   surface.polygons = outline_polygons(outline, &evidence.edges);
   if (surface.polygons.empty()) {
     shape_degenerate(flat, surface);
+    return;
+  }
+  if (view != nullptr && reaches_beyond(surface.polygons, flat.points)) {
+    shape_surface(cloud, nullptr, all, surface);
     return;
   }
   if (view != nullptr) {
