@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "apps/command.hpp"
+#include "apps/scan_input.hpp"
 #include "cloud/io.hpp"
 #include "results/image.hpp"
 #include "results/pictures.hpp"
@@ -57,7 +57,9 @@ int run(Arguments& arguments) {
     image = picture_of_scene(read_scene(input), arguments.picture, color);
   } else {
     const auto color = color_of(cloud_colors(), arguments.color.empty() ? "height" : arguments.color, "a cloud");
-    image = picture_of_cloud(read_cloud(input), arguments.picture, color);
+    const PointCloud cloud = read_cloud(input);
+    require_finite(cloud, arguments.input);
+    image = picture_of_cloud(cloud, arguments.picture, color);
   }
   write_png(arguments.out, image);
   answer(arguments.common, Json{{"picture", arguments.out}, {"width", image.width}, {"height", image.height}});

@@ -49,17 +49,28 @@ PointCloud load_scan(ScanArguments& arguments) {
     pose.translation() = parse_vector(arguments.sensor, "--sensor");
     cloud.sensor_poses = {pose};
   }
-  const auto finite = static_cast<std::size_t>(std::count_if(
-      cloud.points.begin(), cloud.points.end(), [](const Eigen::Vector3d& p) { return p.allFinite(); }));
-  if (finite == 0) {
-    throw Error(ExitCode::nothing_measured,
-                fmt::format("{}: none of its {} points is finite; nothing to look at", arguments.scan, cloud.size()));
-  }
+  require_finite(cloud, arguments.scan);
   return cloud;
 }
 
+void require_finite(const PointCloud& cloud, const std::string& file) {
+  if (std::none_of(cloud.points.begin(), cloud.points.end(), [](const Eigen::Vector3d& p) { return p.allFinite(); })) {
+    throw Error(ExitCode::nothing_measured, fmt::format("{}: none of its {} points is finite; nothing to look at", file, cloud.size()));
+  }
+}
+
 void require_surfaces(const ScanArguments& arguments, const PointCloud& cloud, const Surfaces& surfaces) {
-  if (!surfaces.surfaces.empty()) return;
+  // Points without any order yield thousands of surfaces by chance, each a tiny share of the points. The largest surface of a room, or of
+  // a building with a hundred of them, is far above that share.
+  constexpr double least_share = 0.002;
+  std::size_t largest = 0;
+  for (const auto& surface : surfaces.surfaces) largest = std::max(largest, surface.inliers.size());
+  if (static_cast<double>(largest) >= least_share * static_cast<double>(cloud.size()) && largest > 0) return;
+  if (largest > 0) {
+    throw Error(ExitCode::nothing_measured,
+                fmt::format("{}: no planar surface beyond chance: the largest of {} has {} of {} points; nothing was written", arguments.scan,
+                            surfaces.surfaces.size(), largest, cloud.size()));
+  }
   throw Error(ExitCode::nothing_measured,
               fmt::format("{}: no planar surface found in its {} points; nothing was written", arguments.scan,
                           cloud.size()));

@@ -26,6 +26,8 @@ void add_scan_arguments(CLI::App& verb, ScanArguments& arguments, bool reasoning
 
 /// Applies --set, reads the scan and sets the sensor position. Throws Error.
 PointCloud load_scan(ScanArguments& arguments);
+/// Throws Error(nothing_measured) for a cloud without a finite point.
+void require_finite(const PointCloud& cloud, const std::string& file);
 
 /// Throws Error(nothing_measured) with one line when there is no surface to go on with.
 void require_surfaces(const ScanArguments& arguments, const PointCloud& cloud, const Surfaces& surfaces);

@@ -99,7 +99,15 @@ Json gate_to_bencher(const GateReport& report) {
 std::string gate_to_text(const GateReport& report) {
   std::string text = fmt::format("{} over {} scenes of {}\n", verdict_word(report.verdict),
                                  report.scenes, report.data);
-  for (const auto& metric : report.gated) text += "  " + sentence(metric) + "\n";
+  text += fmt::format("  {:<16} {:>6} {:>6} {:>7} {:>16} {:>6} {}\n", "metric", "before", "after",
+                      "change", "95 % interval", "p", "verdict");
+  for (const auto& m : report.gated) {
+    text += fmt::format(
+        "  {:<16} {:>6.2f} {:>6.2f} {:>7} {:>16} {:>6.4f} {}\n", m.name, 100 * m.before,
+        100 * m.after, points(m.difference()),
+        fmt::format("{} .. {}", points(m.change.low), points(m.change.high)), m.p_adjusted,
+        verdict_word(m.verdict));
+  }
   for (const auto& line : report.newly_failed) text += "  no answer any more: " + line + "\n";
   for (const auto& metric : report.classes) {
     if (metric.difference() < 0 && report.verdict != Verdict::not_worse) {

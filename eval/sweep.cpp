@@ -34,12 +34,6 @@ Interval interval_of(const RunResult& run, const std::string& metric, int replic
                                replicates, 1);
 }
 
-double value_of(const RunResult& run, const std::string& metric) {
-  const auto scores = scores_of(run);
-  const auto counts = paired_counts(metric, scores, scores, run.protocol);
-  return pooled_value(counts, counts.after);
-}
-
 // Where a curve through (x, y) falls below the limit for the first time; the end if it never does.
 double crossing(const std::map<double, double>& curve, double limit) {
   const auto first = curve.begin();
@@ -54,6 +48,12 @@ double crossing(const std::map<double, double>& curve, double limit) {
 }
 
 }  // namespace
+
+double value_of(const RunResult& run, const std::string& metric) {
+  const auto scores = scores_of(run);
+  const auto counts = paired_counts(metric, scores, scores, run.protocol);
+  return pooled_value(counts, counts.after);
+}
 
 Axis parse_axis(const std::string& text) {
   const auto equals = text.find('=');

@@ -48,6 +48,9 @@ struct SweepOptions {
   std::function<void(std::size_t done, std::size_t total, const SweepPoint&)> progress;
 };
 
+/// A gated metric (gate_metrics) of a run, over all its scenes.
+double value_of(const RunResult& run, const std::string& metric);
+
 /// The run of one set of values: by default run_suite with the suite's options set. Replaceable for
 /// tests and other sources of runs.
 using PointRunner = std::function<RunResult(const Suite& suite)>;

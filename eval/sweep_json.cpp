@@ -14,13 +14,6 @@ std::string number(double value) {
   return {text, end.ptr};
 }
 
-double value_of(const RunResult& run, const std::string& name) {
-  std::vector<const Score*> scores;
-  for (const auto& row : run.rows) scores.push_back(&row.score);
-  const auto counts = paired_counts(name, scores, scores, run.protocol);
-  return pooled_value(counts, counts.after);
-}
-
 }  // namespace
 
 SweepResult sweep(const Suite& suite, const std::vector<Axis>& axes, const Method& method,

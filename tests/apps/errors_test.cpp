@@ -49,6 +49,7 @@ TEST_P(Errors, OneClearLineTheRightCodeAndNothingWritten) {
   EXPECT_NE(ran.error.find(bad.message), std::string::npos) << ran.error;
   EXPECT_FALSE(std::filesystem::exists(scratch() + "out/labels.json"));
   EXPECT_FALSE(std::filesystem::exists(scratch() + "out.ply"));
+  EXPECT_FALSE(std::filesystem::exists(scratch() + "out.png"));
 }
 
 std::string random_cube_points(int count) {
@@ -83,11 +84,41 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"segment_one_point", "one.xyz", "1 2 3\n", "segment one.xyz --points out.ply", 4, "no planar surface"}),
     [](const auto& row) { return std::string(row.param.name); });
 
+INSTANTIATE_TEST_SUITE_P(
+    OtherVerbs, Errors,
+    testing::Values(
+        BadInput{"score_absent_truth", "", "", "score --truth absent --method default", 3, "holds no data set"},
+        BadInput{"score_without_answer", "", "", "score --truth absent", 2, "exactly one of"},
+        BadInput{"score_two_answers", "", "", "score --truth absent --predictions mine --method paper", 2, "exactly one of"},
+        BadInput{"render_broken_scene", "scene.json", "{\"format\": ", "render scene.json --out out.png", 3, "line 1, column 12"},
+        BadInput{"render_other_json", "other.json", "{}", "render other.json --out out.png", 3, "other.json"},
+        BadInput{"render_only_not_a_number", "nan.xyz", repeated("nan nan nan\n", 50), "render nan.xyz --out out.png", 4, "finite"},
+        BadInput{"render_absent_cloud", "", "", "render absent.pcd --out out.png", 3, "No such file"},
+        BadInput{"render_unknown_color", "one.xyz", "1 2 3\n", "render one.xyz --color hight --out out.png", 2, "height"},
+        BadInput{"explain_absent_folder", "", "", "explain absent 3", 3, "absent/labels.json"},
+        BadInput{"check_absent_baseline", "", "", "check quick --scenes 1 --baseline absent.json", 3, "absent.json"},
+        BadInput{"check_broken_baseline", "broken.json", "[1,", "check quick --scenes 1 --baseline broken.json", 3, "broken.json"},
+        BadInput{"sweep_unknown_option", "", "", "sweep quick --vary lidar.range_sigm=0..1 --out out", 2, "did you mean 'lidar.range_sigma'?"},
+        BadInput{"blame_unknown_suite", "", "", "blame quikc", 3, "did you mean 'quick'?"},
+        BadInput{"report_absent_run", "", "", "report absent", 3, "absent"}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+TEST(Errors, GenerateLeavesAnotherDataSetAlone) {
+  ASSERT_EQ(run_scanchor("generate quick --scenes 1 --out data -q").code, 0);
+  const std::string before = read_file(scratch() + "data/suite.json");
+  const auto ran = run_scanchor("generate office --scenes 1 --out data");
+  EXPECT_EQ(ran.code, 3) << ran.out << ran.error;
+  EXPECT_EQ(lines_of(ran.error), 1) << ran.error;
+  EXPECT_NE(ran.error.find("holds another data set"), std::string::npos) << ran.error;
+  EXPECT_EQ(read_file(scratch() + "data/suite.json"), before);
+}
+
 TEST(Errors, AMillionRandomPointsInACubeAreNoSurfaces) {
   write_file(scratch() + "cube.pcd", random_cube_points(1'000'000));
   const auto ran = run_scanchor("label cube.pcd --out cube-out");
   EXPECT_EQ(ran.code, 4) << ran.out << ran.error;
   EXPECT_EQ(lines_of(ran.error), 1) << ran.error;
+  EXPECT_NE(ran.error.find("no planar surface"), std::string::npos) << ran.error;
 }
 
 TEST(Errors, AnUnwritableFolderIsOneLineForEveryVerbThatWrites) {
