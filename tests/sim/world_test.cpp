@@ -123,6 +123,33 @@ TEST(World, ClosedRoomHasNoLeak) {
             0);
 }
 
+// A beam at 90 degrees on a line that is tilted by less than a degree has a component of about -1e-18: its packet must not be lost.
+TEST(World, ComponentsNextToZeroLoseNoRay) {
+  const Scene scene = testing::random_boxes(0, 1);
+  for (const int width : {1, 4, 8, 16}) {
+    WorldOptions options;
+    options.packet_width = width;
+    const World world(scene, options);
+    for (const double tiny : {1e-12, 1e-15, 1e-17, 1e-18, 8e-19, 1e-20, 1e-30, 1e-40, 0.0}) {
+      for (const double sign : {-1.0, 1.0}) {
+        for (int axis = 0; axis < 3; ++axis) {
+          std::vector<Ray> rays(16);
+          for (std::size_t i = 0; i < rays.size(); ++i) {
+            rays[i].origin = {2.5, 2.2, 1.3};
+            const double angle = 0.01 * static_cast<double>(i);
+            rays[i].direction[axis] = i == 0 ? sign * tiny : -2e-4 * static_cast<double>(i);
+            rays[i].direction[(axis + 1) % 3] = std::cos(angle);
+            rays[i].direction[(axis + 2) % 3] = std::sin(angle);
+          }
+          std::vector<Hit> hits(rays.size());
+          world.trace(rays, hits);
+          for (const Hit& hit : hits) EXPECT_NE(hit.triangle, no_hit) << "width " << width << " component " << sign * tiny << " of axis " << axis;
+        }
+      }
+    }
+  }
+}
+
 TEST(World, SameBytesForEveryInstructionSetAndPacketWidth) {
   const Scene scene = testing::random_boxes(60, 21);
   const auto rays = random_rays(200'000, 22);
