@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "sensors/suite.hpp"
+
 namespace scanchor::apps {
 
 std::atomic<bool> interrupted{false};
@@ -26,6 +28,19 @@ void add_common(CLI::App& verb, Common& common, bool with_set) {
 
 void apply_settings(OptionList& list, const Common& common) {
   for (const auto& assignment : common.set) list.set_assignment(assignment);
+}
+
+void apply_settings(Suite& suite, OptionList& list, const Common& common) {
+  for (const std::string& assignment : common.set) {
+    const auto equals = assignment.find('=');
+    const bool of_suite = equals != std::string::npos &&
+                          (assignment.starts_with("room.") || assignment.starts_with("settle.") || assignment.starts_with("lidar."));
+    if (of_suite) {
+      set_suite_option(suite, std::string_view(assignment).substr(0, equals), std::string_view(assignment).substr(equals + 1));
+    } else {
+      list.set_assignment(assignment);
+    }
+  }
 }
 
 void say(const Common& common, const std::string& line) {

@@ -28,7 +28,7 @@ int run(Arguments& arguments) {
   if (arguments.seed > 0) suite.seed = arguments.seed;
   OptionList list;
   suite.describe(list);
-  apply_settings(list, arguments.common);
+  apply_settings(suite, list, arguments.common);
 
   DatasetOptions options = arguments.options;
   options.threads = arguments.common.threads;

@@ -92,7 +92,7 @@ int run(Arguments& arguments) {
   suite.describe(list);
   list.add_group("perceive", chain.perceive);
   list.add_group("reason", chain.reason);
-  apply_settings(list, arguments.common);
+  apply_settings(suite, list, arguments.common);
 
   const fs::path out = arguments.out;
   make_folder(out);

@@ -24,7 +24,7 @@ Suite load_suite(SuiteArguments& arguments) {
   suite.describe(list);
   list.add_group("perceive", arguments.perceive);
   list.add_group("reason", arguments.reason);
-  apply_settings(list, arguments.common);
+  apply_settings(suite, list, arguments.common);
   return suite;
 }
 
