@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "perception/bent_planes.hpp"
 #include "perception/cell_planes.hpp"
 #include "perception/cell_tree.hpp"
 #include "perception/noise.hpp"
@@ -103,6 +104,7 @@ Surfaces find_planes(const PointCloud& cloud, const PerceiveOptions& options) {
   std::vector<std::int32_t> region_of_cell;
   PlaneLabels labels = cell_planes(input.cloud, tree, input.sigma, region_of_cell);
   thin_planes(input.cloud, tree, input.sigma, region_of_cell, labels);
+  if (estimate_flatness(tree, input.sigma) > bent_from * input.sigma) join_bent_planes(input.cloud, tree, input.sigma, labels);
   collect_surfaces(cloud, input, labels.of_point, surfaces);
   return surfaces;
 }

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "perception/bent_planes.hpp"
+
 namespace scanchor {
 namespace {
 
@@ -36,7 +38,10 @@ Plane plane_from_moments(const Moments& moments, const MomentPlane& fit, const E
   plane.centroid_sigma = std::sqrt(variance / n);
   for (int axis = 1; axis <= 2; ++axis) {
     // Points on a line leave the tilt about that line open: a quarter turn is all that can be said.
-    const double tilt = std::min(variance / (n * std::max(fit.variances[axis], 1e-30)), 2.4674);
+    // The spread along the plane holds noise too, which says nothing about the tilt (T. W. Anderson, Ann. Math. Statist. 34, 1963).
+    const double spread = std::max(fit.variances[axis], 1e-30);
+    const double known = std::max(spread - fit.variances[0], 1e-30);
+    const double tilt = std::min(variance * spread / (n * known * known), 2.4674);
     plane.normal_covariance += tilt * fit.axes.col(axis) * fit.axes.col(axis).transpose();
   }
   return plane;
@@ -105,7 +110,10 @@ double BendTest::confidence(double noise_floor) const {
   const double left = std::max((total_ - explained) / std::max(n_ - 6.0, 1.0), floor2);
   // Noise alone explains 3 of n degrees of freedom, with a standard deviation of sqrt(6): chi-square.
   const double bend = std::max(0.0, explained / n_ - left * (3.0 + 2.0 * std::sqrt(6.0)) / n_);
-  const double ratio = bend / (0.16 * left);
+  // What the sensor's own systematic error may do: a sagitta s over [-h, h] has the mean square (0.298 s)^2.
+  const double u2 = power_[2][0] / n_, v2 = power_[0][2] / n_;
+  const double sagitta = std::min(systematic_error, systematic_bend * std::sqrt(3.0 * std::min(u2, v2)));
+  const double ratio = bend / (0.16 * left + 0.0888 * sagitta * sagitta);
   return 1.0 / (1.0 + ratio * ratio);
 }
 

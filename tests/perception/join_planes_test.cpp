@@ -44,8 +44,25 @@ TEST(JoinPlanes, TestHasTheRatesItClaims) {
 TEST(JoinPlanes, SureOnlyWhereThePlaneIsKnown) {
   SequentialRandom random(3);
   const auto a = patch(random, 0.0, 0.0, 0.0, 0.01);
-  EXPECT_TRUE(surely_same_plane(a, patch(random, 1.5, 0.0, 0.0, 0.01), 0.01));
+  EXPECT_TRUE(surely_same_plane(a, patch(random, 0.8, 0.0, 0.0, 0.01), 0.01));
   EXPECT_FALSE(surely_same_plane(a, patch(random, 30.0, 0.0, 0.0, 0.01), 0.01));  // too far to be known
+}
+
+// An even rectangle of z = 0 from (x0, 0) to (x1, y1).
+GrownPlane top(SequentialRandom& random, double x0, double x1, double y1, double sigma) {
+  Moments moments;
+  for (int i = 0; i < 2000; ++i) moments.add(random.uniform(x0, x1), random.uniform(0.0, y1), sigma * random.normal());
+  return grown_plane(moments, sigma);
+}
+
+TEST(JoinPlanes, DesksOfOneHeightStayTwoAndAShadowedFloorIsOne) {
+  SequentialRandom random(4);
+  const double sigma = 0.01;
+  const auto desk = top(random, 0.0, 1.6, 0.8, sigma), other = top(random, 3.1, 4.7, 0.8, sigma);  // 1.5 m apart
+  EXPECT_TRUE(same_plane(desk, other, sigma));
+  EXPECT_FALSE(surely_same_plane(desk, other, sigma));
+  const auto floor = top(random, 0.0, 2.0, 4.0, sigma), beyond = top(random, 2.3, 5.0, 4.0, sigma);  // a shadow of 0.3 m
+  EXPECT_TRUE(surely_same_plane(floor, beyond, sigma));
 }
 
 }  // namespace

@@ -45,9 +45,9 @@ ScannerSetup window(double azimuth, double elevation, double half) {
   return setup;
 }
 
-TEST(DefaultShape, OneThousandRectanglesAreCoveredByTheirIntervals) {
+TEST(DefaultShape, ManyRectanglesAreCoveredByTheirIntervals) {
   // Random rectangles anywhere before the scanner, at 1 cm of range noise: the target of the project (90-98 %, goal 93-97 %).
-  constexpr int rounds = 1000;
+  constexpr int rounds = 600;
   int length = 0, width = 0, area = 0, rectangles = 0;
   double bias = 0.0;
   for (int round = 0; round < rounds; ++round) {
@@ -75,10 +75,10 @@ TEST(DefaultShape, OneThousandRectanglesAreCoveredByTheirIntervals) {
     EXPECT_TRUE(is_valid(s.polygons.front()));
   }
   for (const int covered : {length, width, area}) {
-    EXPECT_GE(covered, 910);
-    EXPECT_LE(covered, 980);
+    EXPECT_GE(covered, 0.91 * rounds);
+    EXPECT_LE(covered, 0.98 * rounds);
   }
-  EXPECT_GE(rectangles, 980);
+  EXPECT_GE(rectangles, 0.98 * rounds);
   EXPECT_LT(std::abs(bias), 0.005);
 }
 
