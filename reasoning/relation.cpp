@@ -115,6 +115,13 @@ Evidence aligned(const Item& a, const Item& b) {
   const double distance = (a.center - b.center).head<2>().norm() / size;
   const double measured = std::sqrt(sqr(a.extension.sigma) + sqr(b.extension.sigma)) / size;
   double value = upper_likelihood(distance, 0.15, std::hypot(measured, 0.05));
+  // The middle of what is left of a shadowed board is not its own; that the smaller one lies within the other's outline remains.
+  const double hidden = std::max({a.area.hidden, b.area.hidden, a.extension.hidden, b.extension.hidden});
+  if (hidden > 0.0 && value < 0.9) {
+    const bool first = a.footprint.area() <= b.footprint.area();
+    const double within = first ? footprint_overlap(a.footprint, b.footprint) : footprint_overlap(b.footprint, a.footprint);
+    value = std::max(value, 0.9 * lower_likelihood(within, 0.6, 0.1));
+  }
   // Stacked (S22): two things in one place are not one above the other.
   value *= lower_likelihood(std::abs(a.z - b.z), 0.05, std::sqrt(sqr(a.z_sigma) + sqr(b.z_sigma) + sqr(0.01)));
   const bool elongated = a.half_length > 1.3 * a.half_width && b.half_length > 1.3 * b.half_width;

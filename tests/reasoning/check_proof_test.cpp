@@ -42,7 +42,7 @@ TEST_F(CheckProof, FindsWhatWasForged) {
   EXPECT_GT(forged([](Labelling& l) { l.entities[7].proof[5].targets = {1}; }), 0U) << "a wall is no desk";
   EXPECT_GT(forged([](Labelling& l) { l.entities[7].proof[1].likelihood = 0.01; }), 0U);
   EXPECT_GT(forged([](Labelling& l) { l.entities[7].label = "desk"; }), 0U);
-  EXPECT_GT(forged([](Labelling& l) { l.entities[6].proof[5].measured += 0.2; }), 0U) << "through the target";
+  EXPECT_GT(forged([](Labelling& l) { l.entities[6].proof.back().measured += 0.2; }), 0U) << "through the target";
   EXPECT_EQ(check_proof(surfaces, ontology, labelling, 999).size(), 1U);
 }
 
