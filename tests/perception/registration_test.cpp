@@ -30,7 +30,7 @@ const std::vector<Scan>& scans() {
     std::vector<Scan> made;
     made.push_back(scan_room(world, pose(1.2, 1.1, 1.3, 0.7), o, 1));
     made.push_back(scan_room(world, pose(4.8, 3.9, 1.2, -2.4), o, 2));
-    made.push_back(scan_room(world, pose(4.9, 0.9, 1.4, 2.4), o, 3));
+    made.push_back(scan_room(world, pose(1.1, 4.0, 1.4, -0.7), o, 3));
     return made;
   }();
   return all;
