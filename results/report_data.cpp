@@ -128,6 +128,9 @@ Json report_data(const Json& summary, const Json* baseline, const std::string& f
          {"name", "family", "seed", "points", "surfaces", "found", "there", "seconds"}) {
       if (room.has(key)) scene[key] = room.at(key).raw();
     }
+    // A seed has 64 bits, a number in a browser 53: as text it stays the one that makes the room.
+    if (scene.contains("seed") && scene["seed"].is_number_integer())
+      scene["seed"] = scene["seed"].dump();
     scenes.push_back(std::move(scene));
   }
   data["scenes"] = std::move(scenes);

@@ -46,6 +46,13 @@ TEST(ReportData, OtherDataCannotBeCompared) {
   EXPECT_THROW(report_data(after, &before, "summary.json"), Error);
 }
 
+TEST(ReportData, ASeedKeepsAllItsDigits) {
+  Json summary = samples::run_summary(9, 1);
+  summary["rooms"][0]["seed"] = 653413151813739762;
+  EXPECT_EQ(report_data(summary, nullptr, "summary.json")["scenes"][0]["seed"],
+            "653413151813739762");
+}
+
 TEST(ReportData, ABrokenSummaryIsNamed) {
   Json summary = samples::run_summary(9, 1);
   summary.erase("rooms");
