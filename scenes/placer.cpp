@@ -8,7 +8,7 @@
 namespace scanchor {
 namespace {
 
-constexpr double least_gap = 0.001;  // [m] between parts of different things
+constexpr double least_gap = 0.00101;  // [m] between parts of different things: 1 mm, and what rounding may take of it
 constexpr double lift = 0.003;       // [m] that loose things start above their support
 
 bool carries(const std::string& part) {

@@ -1,5 +1,6 @@
 // Screens, boards and what lies on desks. Screens are 16:9 of a given diagonal; paper and board formats as sold.
 
+#include <algorithm>
 #include <cmath>
 
 #include "scenes/catalogue/maker.hpp"
@@ -92,7 +93,7 @@ void make_telephone(Maker& m) {
   m.add(prism_part("base", body, {{-0.09, 0.0}, {0.09, 0.0}, {0.09, 0.055}, {-0.09, 0.02}}, -0.5 * width, 0.5 * width,
                    pose_at(Eigen::Vector3d::Zero(), (Eigen::Matrix3d() << 0, 0, 1, 1, 0, 0, 0, 1, 0).finished())));
   m.add(capsule_part("handset", body, {-0.5 * width + 0.03, -0.06, z}, {-0.5 * width + 0.03, 0.06, z + 0.01}, 0.02, 0.02, 10));
-  if (m.is("with display")) m.box("display", m.material({"screen"}), {0.0, 0.03, 0.03}, {0.08, 0.036, 0.09});
+  if (m.is("with display")) m.box("display", m.material({"screen"}), {0.0, 0.03, 0.03}, {std::min(0.08, 0.5 * width - 0.012), 0.036, 0.09});
 }
 
 void make_printer(Maker& m) {
