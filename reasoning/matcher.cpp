@@ -317,8 +317,12 @@ void Matcher::evaluate_class(int class_index) {
           break;
         }
         candidate.fit *= value;
-        candidate.score += ontology_.temperature * clause.weight *
-                           log_likelihood_ratio(value, hit_rate_of(clause), background_of(clause));
+        // A group is there only because it was found, so its background is the rate of such finds among other things, and nothing
+        // is known of finds that failed (docs/why/semantics.md).
+        const double ratio = clause.kind == ClauseKind::group
+                                 ? std::log(value * hit_rate_of(clause) / background_of(clause))
+                                 : log_likelihood_ratio(value, hit_rate_of(clause), background_of(clause));
+        candidate.score += ontology_.temperature * clause.weight * ratio;
       }
       if (!possible) break;
     }

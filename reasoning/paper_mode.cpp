@@ -117,7 +117,7 @@ class PaperMatcher {
       for (std::size_t i = 0; i < clause.relations.size(); ++i) {
         const Evidence e = paper_relation(clause.relations[i], items[id], items[t], around);
         if (i == 0 || e.likelihood < weakest.likelihood) weakest = e;
-        product *= e.likelihood;
+        product = chained(e.likelihood, product);
       }
       none *= 1.0 - product;
       if (targets.empty() || product > best) {

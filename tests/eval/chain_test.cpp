@@ -27,7 +27,7 @@ class Chain : public ::testing::Test {
   }
 
   static ObjectCounts of(const std::string& name) {
-    return result->pooled.objects.classes.at(static_cast<std::size_t>(find_class(name)));
+    return result->pooled.objects.classes.at(static_cast<std::size_t>(find_class(name).value()));
   }
 
   static RunResult* result;
@@ -42,12 +42,13 @@ TEST_F(Chain, FindsWhatBoundsTheRoom) {
   EXPECT_GE(of("wall").recall(), 0.7);
 }
 
-TEST_F(Chain, PrintsRates) {
-  for (const auto* name : {"floor", "wall", "ceiling", "desk", "monitor", "shelf", "radiator"}) {
-    const auto counts = of(name);
-    std::printf("%-10s found %ld of %ld, wrong %ld\n", name, static_cast<long>(counts.found), static_cast<long>(counts.truths),
-                static_cast<long>(counts.wrong + counts.repeated));
-  }
+// Measured on 12 rooms of suite seed 50: desks 36 %, monitors 41 %, radiators 60 % found; the limits leave room for chance in ten
+// other rooms. Shelves are not held here: 1 of 21 was found in 24 rooms (docs/why/semantics.md).
+TEST_F(Chain, FindsDesksAndWhatStandsOnThem) {
+  EXPECT_GE(of("desk").recall(), 0.25) << of("desk").found << " of " << of("desk").truths;
+  EXPECT_GE(of("monitor").recall(), 0.3) << of("monitor").found << " of " << of("monitor").truths;
+  EXPECT_GE(of("monitor").precision(), 0.8);
+  EXPECT_GE(of("radiator").recall(), 0.4) << of("radiator").found << " of " << of("radiator").truths;
 }
 
 }  // namespace

@@ -43,6 +43,11 @@ TEST(PaperMode, ChainIsTheProduct) {
   EXPECT_NEAR(test::probability_of(likely.entities[1], "monitor"), 0.8 * 0.8, 1e-6);
 }
 
+TEST(PaperMode, MonitorOfEightyPercentOnATableOfFiftyIsOneOfForty) {
+  EXPECT_DOUBLE_EQ(chained(0.8, 0.5), 0.4);
+  static_assert(chained(1.0, 0.5) == 0.5 && chained(0.8, 0.0) == 0.0);
+}
+
 TEST(PaperMode, ParallelAndOrthogonalAreNotTrueForEveryPair) {
   const std::string text = "axiom floor:\n    lowest\n    horizontal\nclass a:\n    extension under 1 m\n    parallel to a floor\n"
                            "class b:\n    extension under 1 m\n    orthogonal to a floor\n";
