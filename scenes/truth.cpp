@@ -196,13 +196,14 @@ void find_faces(Part& part, double flat_deg, double distance) {
     result.planar = planar;
     part.faces.push_back(result);
   };
-  // A triangle belongs to a curved surface if a neighbour bends away gently: between `flat_deg` and 30 degrees.
+  // A triangle belongs to a curved surface if a neighbour of its kind bends away gently: between `flat_deg` and 30 degrees. A far smaller
+  // neighbour is the rounded edge of a flat top.
   std::vector<bool> bends(count, false);
   for (std::size_t t = 0; t < count; ++t) {
     for (int k = 0; k < 3; ++k) {
       for (const std::size_t other : edges[edge_of(t, k)]) {
         const double c = normal[other].dot(normal[t]);
-        if (other != t && area[other] > 0 && c < cos_flat && c > 0.86) bends[t] = true;
+        if (other != t && area[other] > 0.1 * area[t] && c < cos_flat && c > 0.86) bends[t] = true;
       }
     }
   }
