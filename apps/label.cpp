@@ -21,12 +21,6 @@ struct Arguments : ScanArguments {
   bool pictures = true;
 };
 
-std::vector<std::size_t> inlier_counts(const Surfaces& surfaces) {
-  std::vector<std::size_t> counts;
-  for (const auto& surface : surfaces.surfaces) counts.push_back(surface.inliers.size());
-  return counts;
-}
-
 std::size_t points_of(const Entity& entity, const std::vector<std::size_t>& counts) {
   std::size_t points = 0;
   for (const auto surface : entity.surfaces) points += counts[static_cast<std::size_t>(surface)];

@@ -2,16 +2,13 @@
 
 #include <chrono>
 
+#include "apps/scan_input.hpp"
 #include "apps/scan_pictures.hpp"
 #include "cloud/io.hpp"
-#include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/json.hpp"
-#include "core/random.hpp"
 #include "eval/evaluate.hpp"
-#include "scenes/generator.hpp"
-#include "sim/settle.hpp"
-#include "sim/world.hpp"
+#include "eval/run.hpp"
 
 namespace scanchor::apps {
 namespace fs = std::filesystem;
@@ -32,25 +29,16 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-std::vector<std::size_t> inlier_counts(const Surfaces& surfaces) {
-  std::vector<std::size_t> counts;
-  for (const auto& surface : surfaces.surfaces) counts.push_back(surface.inliers.size());
-  return counts;
-}
-
 }  // namespace
 
 RoomResult run_room(const SceneTask& task, const Chain& chain, const fs::path& folder) {
   RoomResult result{task.name, task.room.family, task.seed, 0, 0, {}, {}, {}, {}};
+  StageTimes made_in;
+  const MadeScene made = make_scene(task, 1, &made_in);
+  const Scene& scene = made.scene;
+  const Scan& scan = made.scans.front();
+  result.seconds = {{"generate", made_in.generate}, {"settle", made_in.settle}, {"scan", made_in.scan}};
   Stopwatch watch(result.seconds);
-
-  Scene scene = generate_room(task.room, task.seed);
-  watch.lap("generate");
-  settle(scene, task.settle);
-  watch.lap("settle");
-  const World world(scene);
-  const Scan scan = scan_room(world, scene.sensor_poses.at(0), task.lidar, stream_seed(task.seed, "scan", 0));
-  watch.lap("scan");
   Surfaces surfaces = find_planes(scan.cloud, chain.perceive);
   watch.lap("planes");
   find_shapes(scan.cloud, chain.perceive, surfaces);

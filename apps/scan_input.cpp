@@ -76,6 +76,12 @@ void require_surfaces(const ScanArguments& arguments, const PointCloud& cloud, c
                           cloud.size()));
 }
 
+std::vector<std::size_t> inlier_counts(const Surfaces& surfaces) {
+  std::vector<std::size_t> counts;
+  for (const auto& surface : surfaces.surfaces) counts.push_back(surface.inliers.size());
+  return counts;
+}
+
 std::vector<std::string> label_names(const Labelling& labelling) {
   std::vector<std::string> names;
   for (const auto& entity : labelling.entities) names.push_back(entity.label);

@@ -37,6 +37,9 @@ void require_surfaces(const ScanArguments& arguments, const PointCloud& cloud, c
 void write_labelled_points(const std::filesystem::path& path, const PointCloud& cloud, const Surfaces& surfaces,
                            const Labelling* labelling);
 
+/// Number of inliers of each surface, as labelling_to_json takes it.
+std::vector<std::size_t> inlier_counts(const Surfaces& surfaces);
+
 /// The classes that occur in a labelling, sorted by name: index = number in the field `label`.
 std::vector<std::string> label_names(const Labelling& labelling);
 
