@@ -1,4 +1,5 @@
-// scanchor check and scanchor baseline: the regression gate, and the stored run that it compares with.
+// scanchor check and scanchor baseline: the regression gate, and the stored run that it compares
+// with.
 
 #include <fmt/format.h>
 
@@ -25,10 +26,12 @@ struct Arguments : SuiteArguments {
 RunResult measured(const Suite& suite, const Arguments& arguments, int scenes) {
   RunOptions options = run_options(arguments);
   options.scenes = scenes;
-  Progress progress("scenes", static_cast<std::size_t>(std::max(scenes, 0)), {.quiet = arguments.common.quiet || arguments.common.json});
+  Progress progress("scenes", static_cast<std::size_t>(std::max(scenes, 0)),
+                    {.quiet = arguments.common.quiet || arguments.common.json});
   options.progress = [&](std::size_t done, std::size_t) { progress.update(done); };
   RunResult result = run_suite(suite, load_method(arguments), options);
-  if (result.interrupted) throw Error(ExitCode::nothing_measured, "interrupted: nothing was compared");
+  if (result.interrupted)
+    throw Error(ExitCode::nothing_measured, "interrupted: nothing was compared");
   return result;
 }
 
@@ -37,7 +40,12 @@ int check(Arguments& arguments) {
   const Baseline baseline = read_baseline(arguments.baseline);
   const int available = static_cast<int>(baseline.run.rows.size());
   const GateReport report = check_against(
-      baseline.run, [&](int scenes) { return measured(suite, arguments, arguments.scenes > 0 ? std::min(scenes, arguments.scenes) : std::min(scenes, available)); },
+      baseline.run,
+      [&](int scenes) {
+        return measured(suite, arguments,
+                        arguments.scenes > 0 ? std::min(scenes, arguments.scenes)
+                                             : std::min(scenes, available));
+      },
       arguments.gate);
   if (!arguments.junit.empty()) write_file(arguments.junit, gate_to_junit(report));
   if (!arguments.markdown.empty()) write_file(arguments.markdown, gate_to_markdown(report));
@@ -64,7 +72,8 @@ int update(Arguments& arguments) {
     next = update_baseline(old, std::move(run), arguments.reason_text, today());
   } else {
     next.run = std::move(run);
-    next.history.push_back({today(), arguments.reason_text.empty() ? "first baseline" : arguments.reason_text, {}});
+    next.history.push_back(
+        {today(), arguments.reason_text.empty() ? "first baseline" : arguments.reason_text, {}});
   }
   write_baseline(arguments.baseline, next);
   answer(arguments.common, Json{{"baseline", arguments.baseline}, {"changes", changes}});
@@ -76,26 +85,41 @@ int update(Arguments& arguments) {
 }  // namespace
 
 void add_check(CLI::App& root, ExitCodeSlot& code) {
-  auto* verb = root.add_subcommand("check", "Fail when a run over a suite is worse than the baseline");
-  verb->footer("Example:\n  scanchor check quick --baseline results/baselines/quick.json --junit gate.xml\n"
-               "Exit codes: 0 not worse, 1 worse, 3 other data or protocol, 4 nothing measured, 5 inconclusive with --strict.");
+  auto* verb =
+      root.add_subcommand("check", "Fail when a run over a suite is worse than the baseline");
+  verb->footer(
+      "Example:\n  scanchor check quick --baseline results/baselines/quick.json --junit gate.xml\n"
+      "Exit codes: 0 not worse, 1 worse, 3 other data or protocol, 4 nothing measured, 5 "
+      "inconclusive with --strict.");
   auto arguments = std::make_shared<Arguments>();
   add_suite_arguments(*verb, *arguments);
-  verb->add_option("--baseline", arguments->baseline, "The stored run")->required()->type_name("FILE");
-  verb->add_option("--margin", arguments->gate.margin, "A drop up to that is accepted, 0.01: one point")->check(CLI::Range(0.0, 1.0))->capture_default_str();
+  verb->add_option("--baseline", arguments->baseline, "The stored run")
+      ->required()
+      ->type_name("FILE");
+  verb->add_option("--margin", arguments->gate.margin,
+                   "A drop up to that is accepted, 0.01: one point")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
   verb->add_flag("--strict", arguments->gate.strict, "Inconclusive is exit code 5");
   verb->add_option("--junit", arguments->junit, "Write JUnit XML")->type_name("FILE");
-  verb->add_option("--markdown", arguments->markdown, "Write a summary for a pull request")->type_name("FILE");
+  verb->add_option("--markdown", arguments->markdown, "Write a summary for a pull request")
+      ->type_name("FILE");
   verb->callback([arguments, &code] { code = check(*arguments); });
 }
 
 void add_baseline(CLI::App& root, ExitCodeSlot& code) {
-  auto* verb = root.add_subcommand("baseline", "Measure a suite and keep the result as the baseline of check");
-  verb->footer("Example:\n  scanchor baseline quick --baseline results/baselines/quick.json --reason \"first run of the new matcher\"");
+  auto* verb = root.add_subcommand("baseline",
+                                   "Measure a suite and keep the result as the baseline of check");
+  verb->footer(
+      "Example:\n  scanchor baseline quick --baseline results/baselines/quick.json --reason "
+      "\"first run of the new matcher\"");
   auto arguments = std::make_shared<Arguments>();
   add_suite_arguments(*verb, *arguments);
-  verb->add_option("--baseline", arguments->baseline, "The stored run; made if absent")->required()->type_name("FILE");
-  verb->add_option("--reason", arguments->reason_text, "Why the baseline changes, at least three words");
+  verb->add_option("--baseline", arguments->baseline, "The stored run; made if absent")
+      ->required()
+      ->type_name("FILE");
+  verb->add_option("--reason", arguments->reason_text,
+                   "Why the baseline changes, at least three words");
   verb->callback([arguments, &code] { code = update(*arguments); });
 }
 

@@ -19,7 +19,8 @@ void add_common(CLI::App& verb, Common& common, bool with_set) {
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   if (with_set) {
-    verb.add_option("--set", common.set, "Set an option of a stage: stage.option=value (repeatable)")
+    verb.add_option("--set", common.set,
+                    "Set an option of a stage: stage.option=value (repeatable)")
         ->type_name("NAME=VALUE")
         ->expected(1)
         ->take_all();
@@ -34,9 +35,11 @@ void apply_settings(Suite& suite, OptionList& list, const Common& common) {
   for (const std::string& assignment : common.set) {
     const auto equals = assignment.find('=');
     const bool of_suite = equals != std::string::npos &&
-                          (assignment.starts_with("room.") || assignment.starts_with("settle.") || assignment.starts_with("lidar."));
+                          (assignment.starts_with("room.") || assignment.starts_with("settle.") ||
+                           assignment.starts_with("lidar."));
     if (of_suite) {
-      set_suite_option(suite, std::string_view(assignment).substr(0, equals), std::string_view(assignment).substr(equals + 1));
+      set_suite_option(suite, std::string_view(assignment).substr(0, equals),
+                       std::string_view(assignment).substr(equals + 1));
     } else {
       list.set_assignment(assignment);
     }

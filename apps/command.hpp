@@ -1,5 +1,6 @@
 #pragma once
-// What all verbs share: the flags that are the same everywhere, how a result is printed, how an interrupt arrives.
+// What all verbs share: the flags that are the same everywhere, how a result is printed, how an
+// interrupt arrives.
 
 #include <CLI/CLI.hpp>
 #include <atomic>
@@ -19,10 +20,10 @@ namespace scanchor::apps {
 
 /// Flags that mean the same in every verb.
 struct Common {
-  bool json = false;              ///< print one JSON document on standard output and nothing else
-  bool quiet = false;             ///< print only errors
-  int threads = 0;                ///< 0: all cores
-  std::vector<std::string> set;   ///< "stage.option=value"
+  bool json = false;             ///< print one JSON document on standard output and nothing else
+  bool quiet = false;            ///< print only errors
+  int threads = 0;               ///< 0: all cores
+  std::vector<std::string> set;  ///< "stage.option=value"
 };
 
 /// Adds --json, --quiet, --threads and, where the verb has options of stages, --set.
@@ -30,8 +31,9 @@ void add_common(CLI::App& verb, Common& common, bool with_set = true);
 
 /// Applies every `--set` to the list; an unknown name or a bad value is an Error(wrong_usage).
 void apply_settings(OptionList& list, const Common& common);
-/// The same where a suite is among what the list describes: "room.", "settle." and "lidar." go through set_suite_option, which loads a
-/// preset and chooses the family; the rest goes to the list.
+/// The same where a suite is among what the list describes: "room.", "settle." and "lidar." go
+/// through set_suite_option, which loads a preset and chooses the family; the rest goes to the
+/// list.
 void apply_settings(Suite& suite, OptionList& list, const Common& common);
 
 /// Prints a line of the human answer; nothing under --quiet or --json.

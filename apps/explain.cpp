@@ -1,4 +1,5 @@
-// scanchor explain: why a thing has its label, and what would have to change for it to have another.
+// scanchor explain: why a thing has its label, and what would have to change for it to have
+// another.
 
 #include <fmt/format.h>
 
@@ -31,8 +32,10 @@ int run(Arguments& arguments) {
     text = explain(labelling, arguments.entity);
   } else {
     const Surfaces surfaces = read_surfaces(fs::path(arguments.folder) / "surfaces.json");
-    const Ontology ontology = find_ontology(arguments.ontology.empty() ? labelling.ontology : arguments.ontology);
-    const WhyNot reason = why_not(surfaces, ontology, labelling, arguments.entity, arguments.why_not);
+    const Ontology ontology =
+        find_ontology(arguments.ontology.empty() ? labelling.ontology : arguments.ontology);
+    const WhyNot reason =
+        why_not(surfaces, ontology, labelling, arguments.entity, arguments.why_not);
     text = reason.text;
     json["class"] = arguments.why_not;
     json["holds"] = reason.holds;
@@ -53,12 +56,20 @@ int run(Arguments& arguments) {
 
 void add_explain(CLI::App& root, ExitCodeSlot& code) {
   auto* verb = root.add_subcommand("explain", "Say why a thing has its label, or why not another");
-  verb->footer("Examples:\n  scanchor explain scanchor-room 7\n  scanchor explain scanchor-room 7 --why-not desk");
+  verb->footer(
+      "Examples:\n  scanchor explain scanchor-room 7\n  scanchor explain scanchor-room 7 --why-not "
+      "desk");
   auto arguments = std::make_shared<Arguments>();
-  verb->add_option("folder", arguments->folder, "What label or run wrote: labels.json and surfaces.json lie in it")->required()->type_name("DIR");
+  verb->add_option("folder", arguments->folder,
+                   "What label or run wrote: labels.json and surfaces.json lie in it")
+      ->required()
+      ->type_name("DIR");
   verb->add_option("id", arguments->entity, "The thing, by its id in labels.json")->required();
-  verb->add_option("--why-not", arguments->why_not, "Name the first clause of this class that fails, and what would mend it")->type_name("CLASS");
-  verb->add_option("--ontology", arguments->ontology, "Descriptions; default: those of labels.json");
+  verb->add_option("--why-not", arguments->why_not,
+                   "Name the first clause of this class that fails, and what would mend it")
+      ->type_name("CLASS");
+  verb->add_option("--ontology", arguments->ontology,
+                   "Descriptions; default: those of labels.json");
   add_common(*verb, arguments->common, false);
   verb->callback([arguments, &code] { code = run(*arguments); });
 }

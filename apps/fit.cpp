@@ -1,4 +1,5 @@
-// scanchor fit: counts on training rooms how often each clause of a class file holds, and keeps it beside the file.
+// scanchor fit: counts on training rooms how often each clause of a class file holds, and keeps it
+// beside the file.
 
 #include <fmt/format.h>
 
@@ -28,17 +29,20 @@ struct Arguments {
   ReasonOptions reason;
 };
 
-constexpr double clear_majority = 0.6;  // of a surface's points have to be of one class for it to teach that class
+constexpr double clear_majority =
+    0.6;  // of a surface's points have to be of one class for it to teach that class
 
 /// Class of most of a surface's points; "" where no class has a clear majority.
 std::vector<std::string> true_names(const Scan& scan, const Surfaces& surfaces) {
   std::vector<std::string> names;
   for (const auto& surface : surfaces.surfaces) {
     std::map<ClassId, std::size_t> votes;
-    for (const auto point : surface.inliers) ++votes[scan.truth.class_id[static_cast<std::size_t>(point)]];
+    for (const auto point : surface.inliers)
+      ++votes[scan.truth.class_id[static_cast<std::size_t>(point)]];
     std::string name;
     for (const auto& [id, count] : votes) {
-      const bool clear = static_cast<double>(count) > clear_majority * static_cast<double>(surface.inliers.size());
+      const bool clear =
+          static_cast<double>(count) > clear_majority * static_cast<double>(surface.inliers.size());
       if (clear && id != unlabelled) name = class_info(id).name;
     }
     names.push_back(std::move(name));
@@ -59,12 +63,14 @@ int run(Arguments& arguments) {
   part.scenes = arguments.scenes;
   const auto tasks = tasks_of(suite, part);
   if (tasks.empty()) {
-    throw Error(ExitCode::nothing_measured, "suite " + suite.name + " has no training rooms; name one with more scenes");
+    throw Error(ExitCode::nothing_measured,
+                "suite " + suite.name + " has no training rooms; name one with more scenes");
   }
 
   std::vector<std::vector<TrainingScene>> made(tasks.size());
   {
-    Progress progress("rooms", tasks.size(), {.quiet = arguments.common.quiet || arguments.common.json});
+    Progress progress("rooms", tasks.size(),
+                      {.quiet = arguments.common.quiet || arguments.common.json});
     parallel_blocks(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         if (interrupted) return;
@@ -78,7 +84,9 @@ int run(Arguments& arguments) {
       }
     });
   }
-  if (interrupted) throw Error(ExitCode::nothing_measured, "interrupted before all rooms were seen; nothing was written");
+  if (interrupted)
+    throw Error(ExitCode::nothing_measured,
+                "interrupted before all rooms were seen; nothing was written");
   std::vector<TrainingScene> scenes;
   std::size_t surfaces = 0;
   for (auto& room : made) {
@@ -88,36 +96,45 @@ int run(Arguments& arguments) {
     }
   }
 
-  const std::string fitted_on = fmt::format("{}: {} rooms of the training part, {} scans, {} surfaces", suite.name, tasks.size(),
-                                            scenes.size(), surfaces);
+  const std::string fitted_on =
+      fmt::format("{}: {} rooms of the training part, {} scans, {} surfaces", suite.name,
+                  tasks.size(), scenes.size(), surfaces);
   const Background background = fit_backgrounds(ontology, scenes, arguments.reason, fitted_on);
-  const fs::path out = arguments.out.empty()
-                           ? fs::path(ontology.file).parent_path() / (ontology.name + ".background.json")
-                           : fs::path(arguments.out);
+  const fs::path out = arguments.out.empty() ? fs::path(ontology.file).parent_path() /
+                                                   (ontology.name + ".background.json")
+                                             : fs::path(arguments.out);
   write_background(out, background);
 
   Json json = background_to_json(background);
   json["file"] = out.string();
   answer(arguments.common, json);
   say(arguments.common, "Counted on " + fitted_on + ".");
-  say(arguments.common, fmt::format("Unknown {:.2f}, exponent of the likelihood ratios {:.2f}.", background.unknown_prior,
-                                    background.temperature));
-  say(arguments.common, fmt::format("{} clauses of {} classes: {}", background.rates.size(), ontology.classes.size(), out.string()));
+  say(arguments.common, fmt::format("Unknown {:.2f}, exponent of the likelihood ratios {:.2f}.",
+                                    background.unknown_prior, background.temperature));
+  say(arguments.common, fmt::format("{} clauses of {} classes: {}", background.rates.size(),
+                                    ontology.classes.size(), out.string()));
   return 0;
 }
 
 }  // namespace
 
 void add_fit(CLI::App& root, ExitCodeSlot& code) {
-  auto* verb = root.add_subcommand("fit", "Count on training rooms how often each clause of a class file holds");
-  verb->footer("Example:\n  scanchor fit office --ontology office --out ontologies/office.background.json\n"
-               "Only rooms of the suite's training part are looked at.");
+  auto* verb = root.add_subcommand(
+      "fit", "Count on training rooms how often each clause of a class file holds");
+  verb->footer(
+      "Example:\n  scanchor fit office --ontology office --out ontologies/office.background.json\n"
+      "Only rooms of the suite's training part are looked at.");
   auto arguments = std::make_shared<Arguments>();
-  verb->add_option("suite", arguments->suite, "A suite by name or file")->required()->type_name("SUITE");
-  verb->add_option("--ontology", arguments->ontology, "Descriptions: a name or a .sdl file")->capture_default_str();
-  verb->add_option("--out", arguments->out, "File to write; without it: <ontology>.background.json beside the class file")
+  verb->add_option("suite", arguments->suite, "A suite by name or file")
+      ->required()
+      ->type_name("SUITE");
+  verb->add_option("--ontology", arguments->ontology, "Descriptions: a name or a .sdl file")
+      ->capture_default_str();
+  verb->add_option("--out", arguments->out,
+                   "File to write; without it: <ontology>.background.json beside the class file")
       ->type_name("FILE");
-  verb->add_option("--scenes", arguments->scenes, "At most so many training rooms; 0: all")->check(CLI::Range(0, 1000000));
+  verb->add_option("--scenes", arguments->scenes, "At most so many training rooms; 0: all")
+      ->check(CLI::Range(0, 1000000));
   add_common(*verb, arguments->common);
   verb->callback([arguments, &code] { code = run(*arguments); });
 }

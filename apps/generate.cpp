@@ -49,30 +49,46 @@ int run(Arguments& arguments) {
   json["complete"] = result.complete;
   json["problems"] = result.problems;
   answer(arguments.common, json);
-  say(arguments.common, fmt::format("{}: {} scenes written, {} were there; {} scans with {} points", arguments.out, result.scenes_written,
-                                    result.scenes_found, result.scans_written, result.points_written));
+  say(arguments.common, fmt::format("{}: {} scenes written, {} were there; {} scans with {} points",
+                                    arguments.out, result.scenes_written, result.scenes_found,
+                                    result.scans_written, result.points_written));
   for (const auto& problem : result.problems) say(arguments.common, "  " + problem);
   if (result.interrupted) {
     throw Error(ExitCode::nothing_measured, "interrupted; the same command goes on from there");
   }
-  say(arguments.common, result.complete ? "The data set is complete: dataset.json is its card."
-                                        : "Other shards are missing; lay them side by side and run once more to finish.");
+  say(arguments.common,
+      result.complete
+          ? "The data set is complete: dataset.json is its card."
+          : "Other shards are missing; lay them side by side and run once more to finish.");
   return 0;
 }
 
 }  // namespace
 
 void add_generate(CLI::App& root, ExitCodeSlot& code) {
-  auto* verb = root.add_subcommand("generate", "Write a data set of labelled scans (SemanticKITTI layout)");
-  verb->footer("Example:\n  scanchor generate office --scenes 100 --out data --pcd --set lidar.range_sigma=0.02");
+  auto* verb =
+      root.add_subcommand("generate", "Write a data set of labelled scans (SemanticKITTI layout)");
+  verb->footer(
+      "Example:\n  scanchor generate office --scenes 100 --out data --pcd --set "
+      "lidar.range_sigma=0.02");
   auto arguments = std::make_shared<Arguments>();
-  verb->add_option("suite", arguments->suite, "A suite by name or file")->type_name("SUITE")->capture_default_str();
-  verb->add_option("--out", arguments->out, "Folder of the data set; an interrupted one is continued")->type_name("DIR")->required();
-  verb->add_option("--scenes", arguments->scenes, "Number of scenes; 0: as the suite says")->check(CLI::Range(0, 1000000));
+  verb->add_option("suite", arguments->suite, "A suite by name or file")
+      ->type_name("SUITE")
+      ->capture_default_str();
+  verb->add_option("--out", arguments->out,
+                   "Folder of the data set; an interrupted one is continued")
+      ->type_name("DIR")
+      ->required();
+  verb->add_option("--scenes", arguments->scenes, "Number of scenes; 0: as the suite says")
+      ->check(CLI::Range(0, 1000000));
   verb->add_option("--seed", arguments->seed, "Seed; 0: as the suite says");
-  verb->add_option("--shard", arguments->shard, "Only part i of n")->type_name("I/N")->capture_default_str();
-  verb->add_flag("--pcd", arguments->options.formats.pcd, "Also PCD files with all truth as fields");
-  verb->add_flag("--ply", arguments->options.formats.ply, "Also PLY files with all truth as fields");
+  verb->add_option("--shard", arguments->shard, "Only part i of n")
+      ->type_name("I/N")
+      ->capture_default_str();
+  verb->add_flag("--pcd", arguments->options.formats.pcd,
+                 "Also PCD files with all truth as fields");
+  verb->add_flag("--ply", arguments->options.formats.ply,
+                 "Also PLY files with all truth as fields");
   verb->add_flag("--s3dis", arguments->options.formats.s3dis, "Also S3DIS-style text");
   add_common(*verb, arguments->common);
   verb->callback([arguments, &code] { code = run(*arguments); });

@@ -27,8 +27,10 @@ std::size_t points_of(const Entity& entity, const std::vector<std::size_t>& coun
   return points;
 }
 
-void print_entities(const Common& common, const Labelling& labelling, const std::vector<std::size_t>& counts) {
-  say(common, fmt::format("{:>4}  {:<16} {:>5}  {:>23}  {:>13} {:>8}", "id", "class", "p", "centre [m]", "size [m]", "points"));
+void print_entities(const Common& common, const Labelling& labelling,
+                    const std::vector<std::size_t>& counts) {
+  say(common, fmt::format("{:>4}  {:<16} {:>5}  {:>23}  {:>13} {:>8}", "id", "class", "p",
+                          "centre [m]", "size [m]", "points"));
   std::size_t unnamed = 0;
   std::size_t unnamed_points = 0;
   for (const auto& entity : labelling.entities) {
@@ -41,12 +43,17 @@ void print_entities(const Common& common, const Labelling& labelling, const std:
       unnamed_points += points_of(entity, counts);
       continue;
     }
-    say(common, fmt::format("{:>4}  {:<16} {:>5.2f}  {:>7.2f} {:>7.2f} {:>7.2f}  {:>6.2f}{:>7.2f} {:>8}", entity.id, entity.label,
-                            entity.probability, entity.center.x(), entity.center.y(), entity.center.z(), entity.size.x(),
-                            entity.size.y(), points_of(entity, counts)));
+    say(common,
+        fmt::format("{:>4}  {:<16} {:>5.2f}  {:>7.2f} {:>7.2f} {:>7.2f}  {:>6.2f}{:>7.2f} {:>8}",
+                    entity.id, entity.label, entity.probability, entity.center.x(),
+                    entity.center.y(), entity.center.z(), entity.size.x(), entity.size.y(),
+                    points_of(entity, counts)));
   }
   if (unnamed > 0) {
-    say(common, fmt::format("      {} further surfaces ({} points) fit no description or more than one: unknown", unnamed, unnamed_points));
+    say(common,
+        fmt::format(
+            "      {} further surfaces ({} points) fit no description or more than one: unknown",
+            unnamed, unnamed_points));
   }
 }
 
@@ -54,7 +61,9 @@ int run(Arguments& arguments) {
   const ThreadLimit limit(arguments.common.threads);
   const Ontology ontology = find_ontology(arguments.ontology);
   const PointCloud cloud = load_scan(arguments);
-  const fs::path out = arguments.out.empty() ? fs::path("scanchor-" + fs::path(arguments.scan).stem().string()) : fs::path(arguments.out);
+  const fs::path out = arguments.out.empty()
+                           ? fs::path("scanchor-" + fs::path(arguments.scan).stem().string())
+                           : fs::path(arguments.out);
 
   const auto start = std::chrono::steady_clock::now();
   const Surfaces surfaces = perceive(cloud, arguments.perceive);
@@ -68,18 +77,22 @@ int run(Arguments& arguments) {
   make_folder(out);
   write_surfaces(out / "surfaces.json", surfaces);
   write_json(out / "labels.json", labels);
-  if (!arguments.points.empty()) write_labelled_points(arguments.points, cloud, surfaces, &labelling);
+  if (!arguments.points.empty())
+    write_labelled_points(arguments.points, cloud, surfaces, &labelling);
   std::vector<fs::path> pictures;
   if (arguments.pictures) pictures = draw_scan(out, cloud, surfaces, labelling);
 
   answer(arguments.common, labels);
   const SetAside& aside = surfaces.set_aside;
-  say(arguments.common, fmt::format("{}: {} points ({} set aside), {} surfaces, noise {:.1f} mm, {:.2f} s", arguments.scan, cloud.size(),
-                                    aside.not_finite + aside.out_of_range + aside.scanner_body, surfaces.surfaces.size(),
-                                    1e3 * surfaces.noise_sigma, took.count()));
+  say(arguments.common,
+      fmt::format("{}: {} points ({} set aside), {} surfaces, noise {:.1f} mm, {:.2f} s",
+                  arguments.scan, cloud.size(),
+                  aside.not_finite + aside.out_of_range + aside.scanner_body,
+                  surfaces.surfaces.size(), 1e3 * surfaces.noise_sigma, took.count()));
   print_entities(arguments.common, labelling, counts);
   say(arguments.common, fmt::format("labels:   {}", (out / "labels.json").string()));
-  for (const auto& picture : pictures) say(arguments.common, fmt::format("picture:  {}", picture.string()));
+  for (const auto& picture : pictures)
+    say(arguments.common, fmt::format("picture:  {}", picture.string()));
   return 0;
 }
 
@@ -87,13 +100,17 @@ int run(Arguments& arguments) {
 
 void add_label(CLI::App& root, ExitCodeSlot& code) {
   auto* verb = root.add_subcommand("label", "Name the things in a real or simulated scan");
-  verb->footer("Example:\n  scanchor label room.pcd --up auto --ontology office --points labelled.ply");
+  verb->footer(
+      "Example:\n  scanchor label room.pcd --up auto --ontology office --points labelled.ply");
   auto arguments = std::make_shared<Arguments>();
   add_scan_arguments(*verb, *arguments, true);
-  verb->add_option("--out", arguments->out, "Folder for labels.json, surfaces.json and the pictures; default scanchor-<scan>")
+  verb->add_option(
+          "--out", arguments->out,
+          "Folder for labels.json, surfaces.json and the pictures; default scanchor-<scan>")
       ->type_name("DIR");
-  verb->add_option("--points", arguments->points,
-                   "Write the points in their order with the fields `label`, `instance`, `plane` (-1: none)")
+  verb->add_option(
+          "--points", arguments->points,
+          "Write the points in their order with the fields `label`, `instance`, `plane` (-1: none)")
       ->type_name("FILE");
   verb->add_flag("--pictures,!--no-pictures", arguments->pictures, "Draw the cloud and the labels");
   verb->callback([arguments, &code] { code = run(*arguments); });

@@ -1,4 +1,5 @@
-// The scanchor command: reads the words, calls one verb, turns an Error into one line and its exit code.
+// The scanchor command: reads the words, calls one verb, turns an Error into one line and its exit
+// code.
 
 #include <fmt/format.h>
 
@@ -25,11 +26,15 @@ int main(int argc, char** argv) {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
 
-  CLI::App root("Scanchor: simulated tilting-LIDAR scans of indoor rooms, described classes, scored answers.", "scanchor");
+  CLI::App root(
+      "Scanchor: simulated tilting-LIDAR scans of indoor rooms, described classes, scored answers.",
+      "scanchor");
   root.set_version_flag("--version,-V", "scanchor " SCANCHOR_VERSION);
   root.require_subcommand(1);
-  root.footer("Each verb has its own help with an example: scanchor run --help\n"
-              "Exit codes: 0 done, 1 a gate failed, 2 wrong usage, 3 bad or mismatching data, 4 nothing measured, 5 inconclusive.");
+  root.footer(
+      "Each verb has its own help with an example: scanchor run --help\n"
+      "Exit codes: 0 done, 1 a gate failed, 2 wrong usage, 3 bad or mismatching data, 4 nothing "
+      "measured, 5 inconclusive.");
   int code = 0;
   apps::add_all_verbs(root, code);
   try {
@@ -43,7 +48,9 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "scanchor: not enough memory for this input\n");
     return static_cast<int>(ExitCode::bad_data);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "scanchor: internal error: {}; please report it with the command that led to it\n", error.what());
+    fmt::print(stderr,
+               "scanchor: internal error: {}; please report it with the command that led to it\n",
+               error.what());
     return 70;  // EX_SOFTWARE: never one of the documented codes
   }
   return code;

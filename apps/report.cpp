@@ -22,7 +22,8 @@ struct ReportArguments {
 };
 
 int report(ReportArguments& arguments) {
-  const fs::path html = arguments.out.empty() ? fs::path(arguments.run) / "report.html" : fs::path(arguments.out);
+  const fs::path html =
+      arguments.out.empty() ? fs::path(arguments.run) / "report.html" : fs::path(arguments.out);
   arguments.options.baseline = arguments.baseline;
   write_report(arguments.run, html, arguments.options);
   answer(arguments.common, Json{{"report", html.string()}});
@@ -52,9 +53,12 @@ void add_report(CLI::App& root, ExitCodeSlot& code) {
   auto* verb = root.add_subcommand("report", "One HTML file of a run that opens without a network");
   verb->footer("Example:\n  scanchor report demo --out report.html");
   auto arguments = std::make_shared<ReportArguments>();
-  verb->add_option("run", arguments->run, "The folder that run wrote")->required()->type_name("RUN");
+  verb->add_option("run", arguments->run, "The folder that run wrote")
+      ->required()
+      ->type_name("RUN");
   verb->add_option("--out", arguments->out, "The page; default RUN/report.html")->type_name("FILE");
-  verb->add_option("--baseline", arguments->baseline, "Another run to compare with")->type_name("DIR");
+  verb->add_option("--baseline", arguments->baseline, "Another run to compare with")
+      ->type_name("DIR");
   verb->add_option("--title", arguments->options.title, "Title of the page");
   add_common(*verb, arguments->common, false);
   verb->callback([arguments, &code] { code = report(*arguments); });

@@ -37,7 +37,8 @@ RoomResult run_room(const SceneTask& task, const Chain& chain, const fs::path& f
   const MadeScene made = make_scene(task, 1, &made_in);
   const Scene& scene = made.scene;
   const Scan& scan = made.scans.front();
-  result.seconds = {{"generate", made_in.generate}, {"settle", made_in.settle}, {"scan", made_in.scan}};
+  result.seconds = {
+      {"generate", made_in.generate}, {"settle", made_in.settle}, {"scan", made_in.scan}};
   Stopwatch watch(result.seconds);
   Surfaces surfaces = find_planes(scan.cloud, chain.perceive);
   watch.lap("planes");

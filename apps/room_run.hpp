@@ -32,12 +32,13 @@ struct RoomResult {
   std::size_t surfaces = 0;
   Score score;
   ObjectSummary objects;
-  std::vector<std::pair<std::string, double>> seconds;  ///< wall time by stage, in the order of work
+  std::vector<std::pair<std::string, double>>
+      seconds;  ///< wall time by stage, in the order of work
   std::vector<std::filesystem::path> pictures;
 };
 
-/// Generates, settles, scans, perceives, reasons, scores and draws; writes scene.json, scan.pcd, surfaces.json, labels.json, scores.json and
-/// the pictures into `folder`.
+/// Generates, settles, scans, perceives, reasons, scores and draws; writes scene.json, scan.pcd,
+/// surfaces.json, labels.json, scores.json and the pictures into `folder`.
 RoomResult run_room(const SceneTask& task, const Chain& chain, const std::filesystem::path& folder);
 
 }  // namespace scanchor::apps

@@ -1,4 +1,5 @@
-// scanchor run: the main job. Rooms from a seed, scanned, understood, scored and drawn; the demo is this verb without arguments.
+// scanchor run: the main job. Rooms from a seed, scanned, understood, scored and drawn; the demo is
+// this verb without arguments.
 
 #include <fmt/format.h>
 
@@ -50,7 +51,8 @@ Suite chosen_suite(const Arguments& arguments) {
   return suite;
 }
 
-Json summary_json(const Suite& suite, const Chain& chain, const std::vector<RoomResult>& rooms, const Score& total) {
+Json summary_json(const Suite& suite, const Chain& chain, const std::vector<RoomResult>& rooms,
+                  const Score& total) {
   Json json;
   json["suite"] = suite_to_json(suite);
   Json& list = json["rooms"] = Json::array();
@@ -75,8 +77,10 @@ void print_stages(const Common& common, const std::vector<RoomResult>& rooms) {
   for (std::size_t stage = 0; stage < rooms.front().seconds.size(); ++stage) {
     std::vector<double> laps;
     for (const auto& room : rooms) laps.push_back(1e3 * room.seconds[stage].second);
-    std::nth_element(laps.begin(), laps.begin() + static_cast<std::ptrdiff_t>(laps.size() / 2), laps.end());
-    line += fmt::format("{}{} {:.0f}", line.empty() ? "" : ", ", rooms.front().seconds[stage].first, laps[laps.size() / 2]);
+    std::nth_element(laps.begin(), laps.begin() + static_cast<std::ptrdiff_t>(laps.size() / 2),
+                     laps.end());
+    line += fmt::format("{}{} {:.0f}", line.empty() ? "" : ", ", rooms.front().seconds[stage].first,
+                        laps[laps.size() / 2]);
   }
   say(common, "\nTimes per room [ms, median]: " + line + ".");
 }
@@ -100,7 +104,8 @@ int run(Arguments& arguments) {
   std::vector<RoomResult> rooms;
   Score total;
   {
-    Progress progress("rooms", tasks.size(), {.quiet = arguments.common.quiet || arguments.common.json});
+    Progress progress("rooms", tasks.size(),
+                      {.quiet = arguments.common.quiet || arguments.common.json});
     for (const auto& task : tasks) {
       if (interrupted) break;
       rooms.push_back(run_room(task, chain, out / task.name));
@@ -108,7 +113,8 @@ int run(Arguments& arguments) {
       progress.add();
     }
   }
-  if (rooms.empty()) throw Error(ExitCode::nothing_measured, "interrupted before the first room was done");
+  if (rooms.empty())
+    throw Error(ExitCode::nothing_measured, "interrupted before the first room was done");
 
   const Json summary = summary_json(suite, chain, rooms, total);
   write_json(out / "summary.json", summary);
@@ -118,13 +124,17 @@ int run(Arguments& arguments) {
 
   const Common& common = arguments.common;
   const TableOptions style{terminal_width(stdout), wants_color(stdout), 0};
-  say(common, fmt::format("Scanchor put {} {} through the chain: {:.0f} mm range noise, described by '{}', scored by {}.\n", rooms.size(),
-                          rooms.size() == 1 ? "room" : "rooms", 1e3 * suite.lidar.range_sigma, chain.ontology.name, chain.protocol.name));
+  say(common, fmt::format("Scanchor put {} {} through the chain: {:.0f} mm range noise, described "
+                          "by '{}', scored by {}.\n",
+                          rooms.size(), rooms.size() == 1 ? "room" : "rooms",
+                          1e3 * suite.lidar.range_sigma, chain.ontology.name, chain.protocol.name));
   Table overview({"room", "family", "points", "surfaces", "there", "found", "wrong"});
   for (const auto& room : rooms) {
     const auto counts = room.objects.score.total();
-    overview.add_row({room.name, room.family, std::to_string(room.points), std::to_string(room.surfaces), std::to_string(counts.truths),
-                      std::to_string(counts.found), std::to_string(counts.wrong + counts.repeated)});
+    overview.add_row({room.name, room.family, std::to_string(room.points),
+                      std::to_string(room.surfaces), std::to_string(counts.truths),
+                      std::to_string(counts.found),
+                      std::to_string(counts.wrong + counts.repeated)});
   }
   say(common, overview.to_text(style));
   print_objects(common, total.objects);
@@ -132,8 +142,11 @@ int run(Arguments& arguments) {
   for (const auto& room : rooms) {
     for (const auto& thing : room.objects.things) {
       if (thing.status == ThingStatus::missed) {
-        say(common, fmt::format("Missed in {}: {} ({} points{})", room.name, thing.name, thing.points,
-                                thing.called == unlabelled ? "" : ", called " + std::string(class_info(thing.called).name)));
+        say(common,
+            fmt::format("Missed in {}: {} ({} points{})", room.name, thing.name, thing.points,
+                        thing.called == unlabelled
+                            ? ""
+                            : ", called " + std::string(class_info(thing.called).name)));
       }
     }
   }
@@ -141,7 +154,10 @@ int run(Arguments& arguments) {
   for (const auto& room : rooms) {
     for (const auto& picture : room.pictures) say(common, "  " + picture.string());
   }
-  say(common, fmt::format("Everything: {} (summary.json; in each room scene, scan, surfaces, labels, scores)", out.string()));
+  say(common,
+      fmt::format(
+          "Everything: {} (summary.json; in each room scene, scan, surfaces, labels, scores)",
+          out.string()));
   say(common, fmt::format("Report:     {}", (out / "report.html").string()));
   return interrupted ? static_cast<int>(ExitCode::nothing_measured) : 0;
 }
@@ -150,16 +166,25 @@ int run(Arguments& arguments) {
 
 void add_run(CLI::App& root, ExitCodeSlot& code) {
   auto* verb = root.add_subcommand("run", "Generate rooms, scan, understand, score and draw them");
-  verb->footer("Examples:\n  scanchor run --scenes 3 --out demo\n  scanchor run office --scenes 10 --set lidar.range_sigma=0.02");
+  verb->footer(
+      "Examples:\n  scanchor run --scenes 3 --out demo\n  scanchor run office --scenes 10 --set "
+      "lidar.range_sigma=0.02");
   auto arguments = std::make_shared<Arguments>();
-  verb->add_option("suite", arguments->suite, "A suite by name or file; without one: three offices")->type_name("SUITE");
-  verb->add_option("--out", arguments->out, "Folder for everything that is written")->type_name("DIR")->capture_default_str();
-  verb->add_option("--scenes", arguments->scenes, "Number of rooms; 0: as the suite says")->check(CLI::Range(0, 1000000));
+  verb->add_option("suite", arguments->suite, "A suite by name or file; without one: three offices")
+      ->type_name("SUITE");
+  verb->add_option("--out", arguments->out, "Folder for everything that is written")
+      ->type_name("DIR")
+      ->capture_default_str();
+  verb->add_option("--scenes", arguments->scenes, "Number of rooms; 0: as the suite says")
+      ->check(CLI::Range(0, 1000000));
   verb->add_option("--seed", arguments->seed, "Seed; 0: as the suite says");
   verb->add_option("--family", arguments->family, "Only this family of rooms");
-  verb->add_option("--ontology", arguments->ontology, "Descriptions: a name or a .sdl file")->capture_default_str();
-  verb->add_option("--protocol", arguments->protocol, "Scoring rules: a name or a file")->capture_default_str();
-  verb->add_flag("--pictures,!--no-pictures", arguments->pictures, "Draw scene, cloud, planes and labels");
+  verb->add_option("--ontology", arguments->ontology, "Descriptions: a name or a .sdl file")
+      ->capture_default_str();
+  verb->add_option("--protocol", arguments->protocol, "Scoring rules: a name or a file")
+      ->capture_default_str();
+  verb->add_flag("--pictures,!--no-pictures", arguments->pictures,
+                 "Draw scene, cloud, planes and labels");
   add_common(*verb, arguments->common);
   verb->callback([arguments, &code] { code = run(*arguments); });
 }

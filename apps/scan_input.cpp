@@ -13,7 +13,8 @@ void add_scan_arguments(CLI::App& verb, ScanArguments& arguments, bool reasoning
       ->required()
       ->type_name("SCAN");
   verb.add_option("--sensor", arguments.sensor,
-                  "Where the sensor stood, x,y,z in the scan's frame; auto: what the file says; none: unknown")
+                  "Where the sensor stood, x,y,z in the scan's frame; auto: what the file says; "
+                  "none: unknown")
       ->capture_default_str();
   verb.add_option("--noise", arguments.perceive.noise_sigma,
                   "Range noise of the sensor in metres; 0: estimated from the scan")
@@ -23,9 +24,11 @@ void add_scan_arguments(CLI::App& verb, ScanArguments& arguments, bool reasoning
       ->check(CLI::IsMember({"default", "paper"}))
       ->capture_default_str();
   if (reasoning) {
-    verb.add_option("--up", arguments.reason.up, "Direction against gravity, x,y,z; auto: found from the scan")
+    verb.add_option("--up", arguments.reason.up,
+                    "Direction against gravity, x,y,z; auto: found from the scan")
         ->capture_default_str();
-    verb.add_option("--ontology", arguments.ontology, "Descriptions: a name that comes with the program or a .sdl file")
+    verb.add_option("--ontology", arguments.ontology,
+                    "Descriptions: a name that comes with the program or a .sdl file")
         ->capture_default_str();
     verb.add_option("--mode", arguments.reason.mode, "Reasoning: default or paper")
         ->check(CLI::IsMember({"default", "paper"}))
@@ -54,26 +57,34 @@ PointCloud load_scan(ScanArguments& arguments) {
 }
 
 void require_finite(const PointCloud& cloud, const std::string& file) {
-  if (std::none_of(cloud.points.begin(), cloud.points.end(), [](const Eigen::Vector3d& p) { return p.allFinite(); })) {
-    throw Error(ExitCode::nothing_measured, fmt::format("{}: none of its {} points is finite; nothing to look at", file, cloud.size()));
+  if (std::none_of(cloud.points.begin(), cloud.points.end(),
+                   [](const Eigen::Vector3d& p) { return p.allFinite(); })) {
+    throw Error(
+        ExitCode::nothing_measured,
+        fmt::format("{}: none of its {} points is finite; nothing to look at", file, cloud.size()));
   }
 }
 
-void require_surfaces(const ScanArguments& arguments, const PointCloud& cloud, const Surfaces& surfaces) {
-  // Points without any order yield thousands of surfaces by chance, each a tiny share of the points. The largest surface of a room, or of
-  // a building with a hundred of them, is far above that share.
+void require_surfaces(const ScanArguments& arguments, const PointCloud& cloud,
+                      const Surfaces& surfaces) {
+  // Points without any order yield thousands of surfaces by chance, each a tiny share of the
+  // points. The largest surface of a room, or of a building with a hundred of them, is far above
+  // that share.
   constexpr double least_share = 0.002;
   std::size_t largest = 0;
   for (const auto& surface : surfaces.surfaces) largest = std::max(largest, surface.inliers.size());
-  if (static_cast<double>(largest) >= least_share * static_cast<double>(cloud.size()) && largest > 0) return;
+  if (static_cast<double>(largest) >= least_share * static_cast<double>(cloud.size()) &&
+      largest > 0)
+    return;
   if (largest > 0) {
     throw Error(ExitCode::nothing_measured,
-                fmt::format("{}: no planar surface beyond chance: the largest of {} has {} of {} points; nothing was written", arguments.scan,
-                            surfaces.surfaces.size(), largest, cloud.size()));
+                fmt::format("{}: no planar surface beyond chance: the largest of {} has {} of {} "
+                            "points; nothing was written",
+                            arguments.scan, surfaces.surfaces.size(), largest, cloud.size()));
   }
   throw Error(ExitCode::nothing_measured,
-              fmt::format("{}: no planar surface found in its {} points; nothing was written", arguments.scan,
-                          cloud.size()));
+              fmt::format("{}: no planar surface found in its {} points; nothing was written",
+                          arguments.scan, cloud.size()));
 }
 
 std::vector<std::size_t> inlier_counts(const Surfaces& surfaces) {
@@ -92,8 +103,8 @@ std::vector<std::string> label_names(const Labelling& labelling) {
   return names;
 }
 
-void write_labelled_points(const std::filesystem::path& path, const PointCloud& cloud, const Surfaces& surfaces,
-                           const Labelling* labelling) {
+void write_labelled_points(const std::filesystem::path& path, const PointCloud& cloud,
+                           const Surfaces& surfaces, const Labelling* labelling) {
   PointCloud labelled = cloud;
   if (labelling != nullptr) {
     const auto names = label_names(*labelling);
@@ -105,7 +116,8 @@ void write_labelled_points(const std::filesystem::path& path, const PointCloud& 
       const std::int32_t owner = labelling->entity_of_surface[static_cast<std::size_t>(plane)];
       const auto& entity = labelling->entities[static_cast<std::size_t>(owner)];
       const auto name = std::lower_bound(names.begin(), names.end(), entity.label);
-      if (name != names.end() && *name == entity.label) label[i] = static_cast<std::int32_t>(name - names.begin());
+      if (name != names.end() && *name == entity.label)
+        label[i] = static_cast<std::int32_t>(name - names.begin());
       instance[i] = owner;
     }
     labelled.set({"label", std::move(label)});

@@ -1,5 +1,6 @@
 #pragma once
-// A scan named on the command line: read, checked, and put through the stages. Shared by label, segment and explain.
+// A scan named on the command line: read, checked, and put through the stages. Shared by label,
+// segment and explain.
 
 #include <filesystem>
 #include <string>
@@ -21,7 +22,8 @@ struct ScanArguments {
   ReasonOptions reason;
 };
 
-/// Adds the positional SCAN and --sensor, --noise, --method; with `reasoning` also --up, --ontology and --mode.
+/// Adds the positional SCAN and --sensor, --noise, --method; with `reasoning` also --up, --ontology
+/// and --mode.
 void add_scan_arguments(CLI::App& verb, ScanArguments& arguments, bool reasoning);
 
 /// Applies --set, reads the scan and sets the sensor position. Throws Error.
@@ -30,12 +32,14 @@ PointCloud load_scan(ScanArguments& arguments);
 void require_finite(const PointCloud& cloud, const std::string& file);
 
 /// Throws Error(nothing_measured) with one line when there is no surface to go on with.
-void require_surfaces(const ScanArguments& arguments, const PointCloud& cloud, const Surfaces& surfaces);
+void require_surfaces(const ScanArguments& arguments, const PointCloud& cloud,
+                      const Surfaces& surfaces);
 
-/// Writes the input's points in the input's order, its own fields kept, with `plane` and, where given, `label` and `instance`
-/// (int32, -1: none). `label` numbers the classes of the labelling's own list, in "classes" of labels.json.
-void write_labelled_points(const std::filesystem::path& path, const PointCloud& cloud, const Surfaces& surfaces,
-                           const Labelling* labelling);
+/// Writes the input's points in the input's order, its own fields kept, with `plane` and, where
+/// given, `label` and `instance` (int32, -1: none). `label` numbers the classes of the labelling's
+/// own list, in "classes" of labels.json.
+void write_labelled_points(const std::filesystem::path& path, const PointCloud& cloud,
+                           const Surfaces& surfaces, const Labelling* labelling);
 
 /// Number of inliers of each surface, as labelling_to_json takes it.
 std::vector<std::size_t> inlier_counts(const Surfaces& surfaces);

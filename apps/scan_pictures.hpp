@@ -12,12 +12,16 @@
 
 namespace scanchor::apps {
 
-/// Draws cloud.png (by height), planes.png (by plane) and labels.png into the folder; returns what it wrote.
-std::vector<std::filesystem::path> draw_scan(const std::filesystem::path& folder, const PointCloud& cloud,
-                                             const Surfaces& surfaces, const Labelling& labelling);
+/// Draws cloud.png (by height), planes.png (by plane) and labels.png into the folder; returns what
+/// it wrote.
+std::vector<std::filesystem::path> draw_scan(const std::filesystem::path& folder,
+                                             const PointCloud& cloud, const Surfaces& surfaces,
+                                             const Labelling& labelling);
 
-/// Draws scene.png, cloud.png (true classes), planes.png and labels.png from one viewpoint; returns what it wrote.
-std::vector<std::filesystem::path> draw_room(const std::filesystem::path& folder, const Scene& scene, const Scan& scan,
+/// Draws scene.png, cloud.png (true classes), planes.png and labels.png from one viewpoint; returns
+/// what it wrote.
+std::vector<std::filesystem::path> draw_room(const std::filesystem::path& folder,
+                                             const Scene& scene, const Scan& scan,
                                              const Surfaces& surfaces, const Labelling& labelling);
 
 }  // namespace scanchor::apps

@@ -5,14 +5,21 @@
 namespace scanchor::apps {
 
 void add_suite_arguments(CLI::App& verb, SuiteArguments& arguments) {
-  verb.add_option("suite", arguments.suite, "A suite by name or file")->type_name("SUITE")->capture_default_str();
-  verb.add_option("--scenes", arguments.scenes, "At most so many scenes of the part; 0: all")->check(CLI::Range(0, 1000000));
+  verb.add_option("suite", arguments.suite, "A suite by name or file")
+      ->type_name("SUITE")
+      ->capture_default_str();
+  verb.add_option("--scenes", arguments.scenes, "At most so many scenes of the part; 0: all")
+      ->check(CLI::Range(0, 1000000));
   verb.add_option("--split", arguments.split, "Part of the suite: train, valid or test")
       ->check(CLI::IsMember({"train", "valid", "test"}))
       ->capture_default_str();
-  verb.add_option("--method", arguments.method, "default or paper")->check(CLI::IsMember({"default", "paper"}))->capture_default_str();
-  verb.add_option("--ontology", arguments.ontology, "Descriptions: a name or a .sdl file")->capture_default_str();
-  verb.add_option("--protocol", arguments.protocol, "Scoring rules: a name or a file")->capture_default_str();
+  verb.add_option("--method", arguments.method, "default or paper")
+      ->check(CLI::IsMember({"default", "paper"}))
+      ->capture_default_str();
+  verb.add_option("--ontology", arguments.ontology, "Descriptions: a name or a .sdl file")
+      ->capture_default_str();
+  verb.add_option("--protocol", arguments.protocol, "Scoring rules: a name or a file")
+      ->capture_default_str();
   add_common(verb, arguments.common);
 }
 

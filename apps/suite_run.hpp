@@ -1,5 +1,6 @@
 #pragma once
-// Suites on the command line, for the verbs that measure many scenes: check, baseline, sweep, blame.
+// Suites on the command line, for the verbs that measure many scenes: check, baseline, sweep,
+// blame.
 
 #include "apps/command.hpp"
 #include "eval/run.hpp"

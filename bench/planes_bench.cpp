@@ -49,7 +49,8 @@ namespace {
 
 using namespace scanchor;
 
-// A scan of about `count` points of room 0, in random order; kept, since casting rays costs more than finding planes.
+// A scan of about `count` points of room 0, in random order; kept, since casting rays costs more
+// than finding planes.
 const support::RoomScan& scan_of(std::int64_t count, int sigma_mm) {
   static std::map<std::pair<std::int64_t, int>, support::RoomScan> scans;
   const auto found = scans.find({count, sigma_mm});
@@ -59,7 +60,8 @@ const support::RoomScan& scan_of(std::int64_t count, int sigma_mm) {
   grid.beams = static_cast<int>(std::lround(500 * scale));
   grid.lines = static_cast<int>(std::lround(200 * scale));
   grid.range_sigma = 0.001 * sigma_mm;
-  return scans[{count, sigma_mm}] = support::shuffled(support::scan_boxes(support::reference_room(0), grid), 7);
+  return scans[{count, sigma_mm}] =
+             support::shuffled(support::scan_boxes(support::reference_room(0), grid), 7);
 }
 
 void planes(benchmark::State& state, const std::string& method, int threads) {
@@ -77,11 +79,13 @@ void planes(benchmark::State& state, const std::string& method, int threads) {
     surfaces = find_planes(scan.cloud, options);
     most = std::max(most, heap_most.load() - before);
   }
-  const auto score = support::score_planes(scan.plane, surfaces.plane_of_point, 0.8, scan.plane.size() / 2000);
+  const auto score =
+      support::score_planes(scan.plane, surfaces.plane_of_point, 0.8, scan.plane.size() / 2000);
   state.counters["correct"] = score.correct;
   state.counters["of"] = score.planes;
   state.counters["adjRec"] = score.recall;
-  state.counters["bytes_per_point"] = static_cast<double>(most) / static_cast<double>(scan.plane.size());
+  state.counters["bytes_per_point"] =
+      static_cast<double>(most) / static_cast<double>(scan.plane.size());
   state.SetComplexityN(state.range(0));
 }
 
@@ -91,10 +95,18 @@ void sizes(benchmark::internal::Benchmark* bench) {
 }
 
 BENCHMARK_CAPTURE(planes, default_1_thread, "default", 1)->Apply(sizes)->Complexity();
-BENCHMARK_CAPTURE(planes, default_2_threads, "default", 2)->Args({100000, 10})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(planes, default_2_threads, "default", 2)
+    ->Args({100000, 10})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 BENCHMARK_CAPTURE(planes, default_noise, "default", 1)
-    ->ArgsProduct({{100000}, {0, 5, 10, 20, 40}})->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(planes, paper_1_thread, "paper", 1)->Args({100000, 10})->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+    ->ArgsProduct({{100000}, {0, 5, 10, 20, 40}})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(planes, paper_1_thread, "paper", 1)
+    ->Args({100000, 10})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
 
 }  // namespace
 

@@ -1,4 +1,5 @@
-// What a ray costs by packet width and instruction set, and what a room costs to make ready for rays.
+// What a ray costs by packet width and instruction set, and what a room costs to make ready for
+// rays.
 
 #include <benchmark/benchmark.h>
 
@@ -33,9 +34,9 @@ void Trace(benchmark::State& state) {
     benchmark::DoNotOptimize(hits.data());
   }
   state.SetLabel(options.embree_isa.empty() ? "best" : options.embree_isa);
-  state.counters["Mrays"] =
-      benchmark::Counter(static_cast<double>(state.iterations()) * static_cast<double>(rays.size()) / 1e6,
-                         benchmark::Counter::kIsRate);
+  state.counters["Mrays"] = benchmark::Counter(
+      static_cast<double>(state.iterations()) * static_cast<double>(rays.size()) / 1e6,
+      benchmark::Counter::kIsRate);
 }
 BENCHMARK(Trace)->ArgsProduct({{1, 4, 8, 16}, {0, 1, 2}})->Unit(benchmark::kMillisecond);
 

@@ -1,4 +1,5 @@
-// Time of reasoning: a room of 150 surfaces with the office classes, and 10,000 surfaces with 1,000 random classes.
+// Time of reasoning: a room of 150 surfaces with the office classes, and 10,000 surfaces with 1,000
+// random classes.
 
 #include <benchmark/benchmark.h>
 
@@ -12,9 +13,12 @@ namespace {
 
 using namespace scanchor;
 
-Surface plate(const Eigen::Vector3d& center, const Eigen::Vector3d& normal, double length, double width) {
+Surface plate(const Eigen::Vector3d& center, const Eigen::Vector3d& normal, double length,
+              double width) {
   Surface s;
-  const Eigen::Vector3d x = std::abs(normal.z()) > 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d(-normal.y(), normal.x(), 0);
+  const Eigen::Vector3d x = std::abs(normal.z()) > 0.9
+                                ? Eigen::Vector3d::UnitX()
+                                : Eigen::Vector3d(-normal.y(), normal.x(), 0);
   s.plane.normal = normal;
   s.plane.centroid = center;
   s.plane.offset = normal.dot(center);
@@ -36,7 +40,8 @@ Surface plate(const Eigen::Vector3d& center, const Eigen::Vector3d& normal, doub
   return s;
 }
 
-/// Floor, walls, ceiling, and furniture-sized plates at random: about one in twenty a desk top, a screen, ...
+/// Floor, walls, ceiling, and furniture-sized plates at random: about one in twenty a desk top, a
+/// screen, ...
 Surfaces scene(int count, double side) {
   SequentialRandom random(1);
   Surfaces surfaces;
@@ -49,9 +54,12 @@ Surfaces scene(int count, double side) {
     all.push_back(plate({0, sign * side, 1.35}, {0, -sign, 0}, 2 * side, 2.7));
   }
   while (static_cast<int>(all.size()) < count) {
-    const Eigen::Vector3d center(random.uniform(-side, side), random.uniform(-side, side), random.uniform(0.1, 2.2));
+    const Eigen::Vector3d center(random.uniform(-side, side), random.uniform(-side, side),
+                                 random.uniform(0.1, 2.2));
     const auto way = random.below(3);
-    const Eigen::Vector3d normal = way == 0 ? Eigen::Vector3d::UnitZ() : way == 1 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
+    const Eigen::Vector3d normal = way == 0   ? Eigen::Vector3d::UnitZ()
+                                   : way == 1 ? Eigen::Vector3d::UnitX()
+                                              : Eigen::Vector3d::UnitY();
     const double length = random.uniform(0.2, 2.0);
     all.push_back(plate(center, normal, length, length * random.uniform(0.2, 1.0)));
   }
@@ -64,12 +72,17 @@ Ontology random_classes(int count) {
   std::string text = "axiom floor:\n    area at least 4 m2\n    horizontal\n    lowest\n";
   for (int c = 0; c < count - 1; ++c) {
     const double low = random.uniform(0.05, 2.0);
-    text += "class c" + std::to_string(c) + ":\n    area " + std::to_string(low) + ".." + std::to_string(1.3 * low) + " m2\n    extension " +
-            std::to_string(std::sqrt(low)) + ".." + std::to_string(1.7 * std::sqrt(low)) + " m\n    rectangular\n";
+    text += "class c" + std::to_string(c) + ":\n    area " + std::to_string(low) + ".." +
+            std::to_string(1.3 * low) + " m2\n    extension " + std::to_string(std::sqrt(low)) +
+            ".." + std::to_string(1.7 * std::sqrt(low)) + " m\n    rectangular\n";
     text += random.chance(0.5) ? "    horizontal\n" : "    vertical\n";
-    const std::string target = c == 0 ? "floor" : "c" + std::to_string(random.below(static_cast<std::uint32_t>(c)));
+    const std::string target =
+        c == 0 ? "floor" : "c" + std::to_string(random.below(static_cast<std::uint32_t>(c)));
     const auto kind = random.below(4);
-    text += kind == 0 ? "    parallel to a floor\n" : kind == 1 ? "    above a " + target + "\n" : kind == 2 ? "    near a " + target + "\n" : "";
+    text += kind == 0   ? "    parallel to a floor\n"
+            : kind == 1 ? "    above a " + target + "\n"
+            : kind == 2 ? "    near a " + target + "\n"
+                        : "";
   }
   return parse_ontology(text, "random.sdl");
 }
@@ -87,6 +100,10 @@ void many_surfaces_many_classes(benchmark::State& state) {
   const auto ontology = random_classes(static_cast<int>(state.range(1)));
   for (auto _ : state) benchmark::DoNotOptimize(reason(surfaces, ontology, {}));
 }
-BENCHMARK(many_surfaces_many_classes)->Args({1000, 100})->Args({10000, 100})->Args({10000, 1000})->Unit(benchmark::kMillisecond);
+BENCHMARK(many_surfaces_many_classes)
+    ->Args({1000, 100})
+    ->Args({10000, 100})
+    ->Args({10000, 1000})
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -1,4 +1,5 @@
-// How much of Embree's raw rate is left in a whole scan: both in one run, alternately, on the same rays of the same room.
+// How much of Embree's raw rate is left in a whole scan: both in one run, alternately, on the same
+// rays of the same room.
 //   scan_bench                        the table
 //   scan_bench --benchmark_filter=Effects
 
@@ -32,10 +33,12 @@ Eigen::Isometry3d stand(const Scene& scene) {
   return T;
 }
 
-/// Nothing but rtcIntersect16 on packets that lie ready; the copy is there because Embree writes into its rays.
+/// Nothing but rtcIntersect16 on packets that lie ready; the copy is there because Embree writes
+/// into its rays.
 class RawEmbree {
  public:
-  RawEmbree(const World& world, const Eigen::Isometry3d& T, const LidarOptions& options, bool robust) {
+  RawEmbree(const World& world, const Eigen::Isometry3d& T, const LidarOptions& options,
+            bool robust) {
     device_ = rtcNewDevice(nullptr);
     scene_ = rtcNewScene(device_);
     rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_MEDIUM);
@@ -44,8 +47,8 @@ class RawEmbree {
     const std::size_t count = world.triangles().size();
     auto* v = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
                                                           RTC_FORMAT_FLOAT3, 12, 3 * count));
-    auto* f = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
-                                                             RTC_FORMAT_UINT3, 12, count));
+    auto* f = static_cast<unsigned*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, count));
     for (std::uint32_t t = 0; t < count; ++t) {
       for (int c = 0; c < 3; ++c) {
         for (int a = 0; a < 3; ++a) *v++ = static_cast<float>(world.corner(t, c)[a]);
@@ -116,7 +119,8 @@ double seconds(const Work& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Columns: Mrays/s of raw Embree (default flags and robust), of World::trace with the ranges in double, and of the whole scan.
+/// Columns: Mrays/s of raw Embree (default flags and robust), of World::trace with the ranges in
+/// double, and of the whole scan.
 void ScanAgainstRaw(benchmark::State& state) {
   const ThreadLimit limit(static_cast<int>(state.range(0)));
   const Scene scene = office();
@@ -149,13 +153,18 @@ void ScanAgainstRaw(benchmark::State& state) {
 }
 BENCHMARK(ScanAgainstRaw)->Arg(1)->Arg(2)->UseManualTime()->Unit(benchmark::kMillisecond);
 
-/// What each effect costs: one scan of the office with that effect alone. Argument: index into the list.
+/// What each effect costs: one scan of the office with that effect alone. Argument: index into the
+/// list.
 void Effects(benchmark::State& state) {
   static const std::vector<std::pair<const char*, const char*>> effects = {
-      {"range noise", "range_sigma=0.01"},     {"no noise", "range_sigma=0"},
-      {"noise by signal", "snr_sigma=0.005"},  {"encoder", "encoder_sigma_deg=0.05"},
-      {"detection", "detection_range=20"},     {"driving", "robot_speed=0.2"},
-      {"31 sub-rays", "subrays=31"},           {"31 sub-rays everywhere", "subrays_everywhere=true"}};
+      {"range noise", "range_sigma=0.01"},
+      {"no noise", "range_sigma=0"},
+      {"noise by signal", "snr_sigma=0.005"},
+      {"encoder", "encoder_sigma_deg=0.05"},
+      {"detection", "detection_range=20"},
+      {"driving", "robot_speed=0.2"},
+      {"31 sub-rays", "subrays=31"},
+      {"31 sub-rays everywhere", "subrays_everywhere=true"}};
   const auto& [name, assignment] = effects[static_cast<std::size_t>(state.range(0))];
   const ThreadLimit limit(1);
   const Scene scene = office();

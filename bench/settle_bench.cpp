@@ -1,5 +1,5 @@
-// Rooms a second: generation and settling, by family, one room after the other on one core. A thousand rooms of the mix in 60 s on two
-// cores need at most 120 ms a room here.
+// Rooms a second: generation and settling, by family, one room after the other on one core. A
+// thousand rooms of the mix in 60 s on two cores need at most 120 ms a room here.
 
 #include <benchmark/benchmark.h>
 

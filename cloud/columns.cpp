@@ -21,16 +21,26 @@ namespace {
 template <class Body>
 decltype(auto) with_type(ScalarType type, Body&& body) {
   switch (type) {
-    case ScalarType::i8: return body(std::int8_t{});
-    case ScalarType::u8: return body(std::uint8_t{});
-    case ScalarType::i16: return body(std::int16_t{});
-    case ScalarType::u16: return body(std::uint16_t{});
-    case ScalarType::i32: return body(std::int32_t{});
-    case ScalarType::u32: return body(std::uint32_t{});
-    case ScalarType::i64: return body(std::int64_t{});
-    case ScalarType::u64: return body(std::uint64_t{});
-    case ScalarType::f32: return body(float{});
-    case ScalarType::f64: break;
+    case ScalarType::i8:
+      return body(std::int8_t{});
+    case ScalarType::u8:
+      return body(std::uint8_t{});
+    case ScalarType::i16:
+      return body(std::int16_t{});
+    case ScalarType::u16:
+      return body(std::uint16_t{});
+    case ScalarType::i32:
+      return body(std::int32_t{});
+    case ScalarType::u32:
+      return body(std::uint32_t{});
+    case ScalarType::i64:
+      return body(std::int64_t{});
+    case ScalarType::u64:
+      return body(std::uint64_t{});
+    case ScalarType::f32:
+      return body(float{});
+    case ScalarType::f64:
+      break;
   }
   return body(double{});
 }
@@ -44,7 +54,8 @@ T load(const char* bytes, bool swap) {
 }
 
 template <class Target>
-std::vector<Target> values_as(const Column& column, const char* bytes, std::size_t count, bool swap) {
+std::vector<Target> values_as(const Column& column, const char* bytes, std::size_t count,
+                              bool swap) {
   std::vector<Target> values(count);
   with_type(column.type, [&](auto sample) {
     using T = decltype(sample);
@@ -56,16 +67,20 @@ std::vector<Target> values_as(const Column& column, const char* bytes, std::size
   return values;
 }
 
-/// 64-bit integers have no field type of their own: the smallest type that holds them all exactly, else the nearest doubles.
+/// 64-bit integers have no field type of their own: the smallest type that holds them all exactly,
+/// else the nearest doubles.
 template <class T>
 Field wide_integers(const Column& column, const char* bytes, std::size_t count, bool swap) {
   const std::vector<T> values = values_as<T>(column, bytes, count, swap);
   const auto fits = [&](auto low, auto high) {
-    return std::all_of(values.begin(), values.end(),
-                       [&](T v) { return std::cmp_greater_equal(v, low) && std::cmp_less_equal(v, high); });
+    return std::all_of(values.begin(), values.end(), [&](T v) {
+      return std::cmp_greater_equal(v, low) && std::cmp_less_equal(v, high);
+    });
   };
-  if (fits(INT32_MIN, INT32_MAX)) return {column.name, std::vector<std::int32_t>(values.begin(), values.end())};
-  if (fits(0, UINT32_MAX)) return {column.name, std::vector<std::uint32_t>(values.begin(), values.end())};
+  if (fits(INT32_MIN, INT32_MAX))
+    return {column.name, std::vector<std::int32_t>(values.begin(), values.end())};
+  if (fits(0, UINT32_MAX))
+    return {column.name, std::vector<std::uint32_t>(values.begin(), values.end())};
   return {column.name, std::vector<double>(values.begin(), values.end())};
 }
 
@@ -73,14 +88,22 @@ Field decode_field(const Column& column, const char* bytes, std::size_t count, b
   switch (column.type) {
     case ScalarType::i8:
     case ScalarType::i16:
-    case ScalarType::i32: return {column.name, values_as<std::int32_t>(column, bytes, count, swap)};
-    case ScalarType::u8: return {column.name, values_as<std::uint8_t>(column, bytes, count, swap)};
-    case ScalarType::u16: return {column.name, values_as<std::uint16_t>(column, bytes, count, swap)};
-    case ScalarType::u32: return {column.name, values_as<std::uint32_t>(column, bytes, count, swap)};
-    case ScalarType::i64: return wide_integers<std::int64_t>(column, bytes, count, swap);
-    case ScalarType::u64: return wide_integers<std::uint64_t>(column, bytes, count, swap);
-    case ScalarType::f32: return {column.name, values_as<float>(column, bytes, count, swap)};
-    case ScalarType::f64: break;
+    case ScalarType::i32:
+      return {column.name, values_as<std::int32_t>(column, bytes, count, swap)};
+    case ScalarType::u8:
+      return {column.name, values_as<std::uint8_t>(column, bytes, count, swap)};
+    case ScalarType::u16:
+      return {column.name, values_as<std::uint16_t>(column, bytes, count, swap)};
+    case ScalarType::u32:
+      return {column.name, values_as<std::uint32_t>(column, bytes, count, swap)};
+    case ScalarType::i64:
+      return wide_integers<std::int64_t>(column, bytes, count, swap);
+    case ScalarType::u64:
+      return wide_integers<std::uint64_t>(column, bytes, count, swap);
+    case ScalarType::f32:
+      return {column.name, values_as<float>(column, bytes, count, swap)};
+    case ScalarType::f64:
+      break;
   }
   return {column.name, values_as<double>(column, bytes, count, swap)};
 }
@@ -132,8 +155,10 @@ template <class Body>
 void with_value(const PointCloud& cloud, const OutColumn& column, std::size_t i, Body&& body) {
   if (column.axis >= 0) {
     const double v = cloud.points[i][column.axis];
-    if (column.type == ScalarType::f32) body(static_cast<float>(v));
-    else body(v);
+    if (column.type == ScalarType::f32)
+      body(static_cast<float>(v));
+    else
+      body(v);
   } else {
     std::visit([&](const auto& values) { body(values[i]); }, column.field->values);
   }
@@ -146,8 +171,8 @@ void store_little(char* out, T value) {
   std::memcpy(out, raw.data(), sizeof(T));
 }
 
-void pack_into(std::string& bytes, const PointCloud& cloud, const OutColumn& column, std::size_t offset,
-               std::size_t stride) {
+void pack_into(std::string& bytes, const PointCloud& cloud, const OutColumn& column,
+               std::size_t offset, std::size_t stride) {
   char* at = bytes.data() + offset;
   for (std::size_t i = 0; i < cloud.size(); ++i, at += stride) {
     with_value(cloud, column, i, [at](auto value) { store_little(at, value); });
@@ -170,8 +195,8 @@ std::size_t lay_out_records(std::vector<Column>& columns) {
   return size;
 }
 
-PointCloud cloud_from_columns(const std::vector<Column>& columns, std::string_view bytes, std::size_t count,
-                              bool swap_bytes, const std::string& file) {
+PointCloud cloud_from_columns(const std::vector<Column>& columns, std::string_view bytes,
+                              std::size_t count, bool swap_bytes, const std::string& file) {
   PointCloud cloud;
   std::set<std::string_view> names;
   for (const auto& column : columns) {
@@ -210,7 +235,8 @@ bool parse_scalar(std::string_view token, ScalarType type, char* out) {
     if constexpr (std::is_floating_point_v<T>) {
       if (parse_number<T>(token, out)) return true;
       // How older Windows libraries print what is no number: 1.#QNAN, -1.#IND, 1.#INF.
-      if (token.find("#QNAN") == std::string_view::npos && token.find("#IND") == std::string_view::npos) {
+      if (token.find("#QNAN") == std::string_view::npos &&
+          token.find("#IND") == std::string_view::npos) {
         return false;
       }
       const T nan = std::numeric_limits<T>::quiet_NaN();
@@ -224,24 +250,30 @@ bool parse_scalar(std::string_view token, ScalarType type, char* out) {
 
 std::vector<OutColumn> columns_of(const PointCloud& cloud, const std::string& file) {
   const bool organized = cloud.width != 0 || cloud.height != 0;
-  if (organized && (cloud.width < 1 || cloud.height < 1 ||
-                    static_cast<std::uint64_t>(cloud.width) * static_cast<std::uint64_t>(cloud.height) != cloud.size())) {
-    fail_data(file, "", fmt::format("cannot be written: {} points are not {} x {}", cloud.size(), cloud.width,
-                                    cloud.height));
+  if (organized &&
+      (cloud.width < 1 || cloud.height < 1 ||
+       static_cast<std::uint64_t>(cloud.width) * static_cast<std::uint64_t>(cloud.height) !=
+           cloud.size())) {
+    fail_data(file, "",
+              fmt::format("cannot be written: {} points are not {} x {}", cloud.size(), cloud.width,
+                          cloud.height));
   }
-  const bool narrow = std::all_of(cloud.points.begin(), cloud.points.end(), [](const Eigen::Vector3d& p) {
-    for (int k = 0; k < 3; ++k) {
-      if (static_cast<double>(static_cast<float>(p[k])) != p[k] && !std::isnan(p[k])) return false;
-    }
-    return true;
-  });
+  const bool narrow =
+      std::all_of(cloud.points.begin(), cloud.points.end(), [](const Eigen::Vector3d& p) {
+        for (int k = 0; k < 3; ++k) {
+          if (static_cast<double>(static_cast<float>(p[k])) != p[k] && !std::isnan(p[k]))
+            return false;
+        }
+        return true;
+      });
   const ScalarType position = narrow ? ScalarType::f32 : ScalarType::f64;
   std::vector<OutColumn> columns = {{"x", position, 0}, {"y", position, 1}, {"z", position, 2}};
   std::set<std::string> names = {"x", "y", "z"};
   for (const auto& field : cloud.fields) {
     if (field.size() != cloud.size()) {
-      fail_data(file, "", fmt::format("cannot be written: the field '{}' has {} values for {} points",
-                                      field.name, field.size(), cloud.size()));
+      fail_data(file, "",
+                fmt::format("cannot be written: the field '{}' has {} values for {} points",
+                            field.name, field.size(), cloud.size()));
     }
     std::string name = field.name;
     for (char& c : name) {
@@ -249,7 +281,9 @@ std::vector<OutColumn> columns_of(const PointCloud& cloud, const std::string& fi
     }
     // "_" means padding in PCD.
     if (name.empty() || name == "_" || !names.insert(name).second) {
-      fail_data(file, "", fmt::format("cannot be written: '{}' cannot be the name of a field here", field.name));
+      fail_data(
+          file, "",
+          fmt::format("cannot be written: '{}' cannot be the name of a field here", field.name));
     }
     columns.push_back({name, type_of(field), -1, &field});
   }
@@ -310,7 +344,8 @@ bool parse_pose(std::string_view text, Eigen::Isometry3d& pose) {
   std::array<double, 7> v{};
   for (double& value : v) {
     const std::string_view token = next_token(text);
-    if (!parse_scalar(token, ScalarType::f64, reinterpret_cast<char*>(&value)) || !std::isfinite(value)) {
+    if (!parse_scalar(token, ScalarType::f64, reinterpret_cast<char*>(&value)) ||
+        !std::isfinite(value)) {
       return false;
     }
   }

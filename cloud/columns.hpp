@@ -1,5 +1,6 @@
 #pragma once
-// What all cloud files have in common: columns of numbers of ten types, packed into records. The formats differ in their headers.
+// What all cloud files have in common: columns of numbers of ten types, packed into records. The
+// formats differ in their headers.
 
 #include <array>
 #include <cstddef>
@@ -25,17 +26,20 @@ struct Column {
   std::size_t stride = 0;
 };
 
-/// Lays columns one behind the other into records; fills offset and stride and returns the record's size in bytes.
+/// Lays columns one behind the other into records; fills offset and stride and returns the record's
+/// size in bytes.
 std::size_t lay_out_records(std::vector<Column>& columns);
 
-/// Points from the columns x, y, z, fields from all others. Fields keep their types; int8 and int16 widen to int32, 64-bit integers
-/// become int32 or uint32 where all values fit and double elsewhere. `bytes` must hold every value (the caller has checked).
-/// Throws Error(bad_data) if x, y or z is missing or a name appears twice.
-PointCloud cloud_from_columns(const std::vector<Column>& columns, std::string_view bytes, std::size_t count,
-                              bool swap_bytes, const std::string& file);
+/// Points from the columns x, y, z, fields from all others. Fields keep their types; int8 and int16
+/// widen to int32, 64-bit integers become int32 or uint32 where all values fit and double
+/// elsewhere. `bytes` must hold every value (the caller has checked). Throws Error(bad_data) if x,
+/// y or z is missing or a name appears twice.
+PointCloud cloud_from_columns(const std::vector<Column>& columns, std::string_view bytes,
+                              std::size_t count, bool swap_bytes, const std::string& file);
 
-/// One number from text, written to `out` in the machine's own byte order. Whole numbers may be written as "3.0"; "nan" and "inf" are
-/// numbers for the two real types. False: it is no number, or does not fit the type.
+/// One number from text, written to `out` in the machine's own byte order. Whole numbers may be
+/// written as "3.0"; "nan" and "inf" are numbers for the two real types. False: it is no number, or
+/// does not fit the type.
 bool parse_scalar(std::string_view token, ScalarType type, char* out);
 
 /// A column to be written: an axis of the positions or a field.
@@ -57,7 +61,8 @@ std::string pack_columns(const PointCloud& cloud, const std::vector<OutColumn>& 
 /// One line a point, numbers as the shortest text that reads back to the same bits.
 std::string text_records(const PointCloud& cloud, const std::vector<OutColumn>& columns);
 
-/// "x y z qw qx qy qz" of a pose, as VIEWPOINT lines and `sensor_pose` comments have it; and back. An unusable quaternion: false.
+/// "x y z qw qx qy qz" of a pose, as VIEWPOINT lines and `sensor_pose` comments have it; and back.
+/// An unusable quaternion: false.
 std::string pose_text(const Eigen::Isometry3d& pose);
 bool parse_pose(std::string_view text, Eigen::Isometry3d& pose);
 

@@ -16,7 +16,8 @@ namespace scanchor {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view known_endings = "known are: .pcd, .ply, .xyz, .txt, .csv, .asc, .pts, .bin";
+constexpr std::string_view known_endings =
+    "known are: .pcd, .ply, .xyz, .txt, .csv, .asc, .pts, .bin";
 
 std::string ending(const fs::path& path) {
   std::string text = path.extension().string();
@@ -25,8 +26,8 @@ std::string ending(const fs::path& path) {
 }
 
 bool is_text_ending(const std::string& end) {
-  return end == ".xyz" || end == ".txt" || end == ".csv" || end == ".asc" || end == ".pts" || end == ".xyzrgb" ||
-         end == ".xyzn";
+  return end == ".xyz" || end == ".txt" || end == ".csv" || end == ".asc" || end == ".pts" ||
+         end == ".xyzrgb" || end == ".xyzn";
 }
 
 bool looks_like_text(std::string_view content) {
@@ -72,14 +73,17 @@ PointCloud read_cloud(const fs::path& path) {
   const std::string file = path.string();
   const std::string end = ending(path);
   if (content.empty()) fail_data(file, "", "is empty, a point cloud was expected");
-  if (content.starts_with("ply\n") || content.starts_with("ply\r\n")) return parse_ply(content, file);
+  if (content.starts_with("ply\n") || content.starts_with("ply\r\n"))
+    return parse_ply(content, file);
   if (end == ".bin") return read_kitti(path, content);
   if (end == ".pcd" || looks_like_pcd(content)) return parse_pcd(content, file);
   if (end == ".ply") fail_data(file, "line 1", "a PLY file begins with the line 'ply'");
   if (end == ".label") {
-    fail_data(file, "", "holds labels, not points", "give the .bin file, its labels are found beside it");
+    fail_data(file, "", "holds labels, not points",
+              "give the .bin file, its labels are found beside it");
   }
-  if (is_text_ending(end) || (end.empty() && looks_like_text(content))) return parse_xyz(content, file);
+  if (is_text_ending(end) || (end.empty() && looks_like_text(content)))
+    return parse_xyz(content, file);
   fail_data(file, "", "is of an unknown format", known_endings);
 }
 
@@ -89,20 +93,27 @@ void write_cloud(const fs::path& path, const PointCloud& cloud) {
   if (end == ".ply") return write_cloud(path, cloud, CloudFormat::ply_binary);
   if (end == ".bin") return write_cloud(path, cloud, CloudFormat::kitti_bin);
   if (is_text_ending(end)) return write_cloud(path, cloud, CloudFormat::xyz);
-  fail_usage(fmt::format("{}: no cloud format ends in '{}'", path.string(), end), "use .pcd, .ply, .xyz or .bin");
+  fail_usage(fmt::format("{}: no cloud format ends in '{}'", path.string(), end),
+             "use .pcd, .ply, .xyz or .bin");
 }
 
 void write_cloud(const fs::path& path, const PointCloud& cloud, CloudFormat format) {
   const std::string file = path.string();
   switch (format) {
-    case CloudFormat::pcd_ascii: return write_file(path, format_pcd(cloud, PcdData::ascii, file));
-    case CloudFormat::pcd_binary: return write_file(path, format_pcd(cloud, PcdData::binary, file));
+    case CloudFormat::pcd_ascii:
+      return write_file(path, format_pcd(cloud, PcdData::ascii, file));
+    case CloudFormat::pcd_binary:
+      return write_file(path, format_pcd(cloud, PcdData::binary, file));
     case CloudFormat::pcd_binary_compressed:
       return write_file(path, format_pcd(cloud, PcdData::binary_compressed, file));
-    case CloudFormat::ply_ascii: return write_file(path, format_ply(cloud, PlyData::ascii, file));
-    case CloudFormat::ply_binary: return write_file(path, format_ply(cloud, PlyData::little_endian, file));
-    case CloudFormat::xyz: return write_file(path, format_xyz(cloud, file));
-    case CloudFormat::kitti_bin: return write_kitti(path, cloud);
+    case CloudFormat::ply_ascii:
+      return write_file(path, format_ply(cloud, PlyData::ascii, file));
+    case CloudFormat::ply_binary:
+      return write_file(path, format_ply(cloud, PlyData::little_endian, file));
+    case CloudFormat::xyz:
+      return write_file(path, format_xyz(cloud, file));
+    case CloudFormat::kitti_bin:
+      return write_kitti(path, cloud);
   }
 }
 

@@ -17,8 +17,9 @@
 namespace scanchor {
 namespace {
 
-constexpr std::string_view keywords[] = {"VERSION", "FIELDS", "COLUMNS",   "SIZE",   "TYPE", "COUNT",
-                                         "WIDTH",   "HEIGHT", "VIEWPOINT", "POINTS", "DATA"};
+constexpr std::string_view keywords[] = {"VERSION",   "FIELDS", "COLUMNS", "SIZE",
+                                         "TYPE",      "COUNT",  "WIDTH",   "HEIGHT",
+                                         "VIEWPOINT", "POINTS", "DATA"};
 /// The longest descriptors that PCL keeps in clouds (SHOTColor, 1344 values) fit three times.
 constexpr std::size_t greatest_values = 4096;
 constexpr std::string_view pose_comment = "sensor_pose";
@@ -36,7 +37,8 @@ struct Header {
 
 std::string line_place(std::size_t line) { return fmt::format("line {}", line); }
 
-std::uint64_t whole(std::string_view token, std::string_view keyword, const std::string& file, std::size_t line) {
+std::uint64_t whole(std::string_view token, std::string_view keyword, const std::string& file,
+                    std::size_t line) {
   std::uint64_t value = 0;
   const auto result = std::from_chars(token.data(), token.data() + token.size(), value);
   if (token.empty() || result.ec != std::errc{} || result.ptr != token.data() + token.size()) {
@@ -50,7 +52,8 @@ Header read_header(std::string_view content, const std::string& file) {
   LineReader lines(content);
   std::string_view line;
   while (header.data.empty()) {
-    if (!lines.next(line)) fail_data(file, "header", "ends before its DATA line", "the file is truncated");
+    if (!lines.next(line))
+      fail_data(file, "header", "ends before its DATA line", "the file is truncated");
     std::string_view rest = line;
     std::string_view key = next_token(rest);
     if (key.empty()) continue;
@@ -65,22 +68,32 @@ Header read_header(std::string_view content, const std::string& file) {
       for (auto token = next_token(rest); !token.empty(); token = next_token(rest)) take(token);
     };
     const auto one = [&] { return whole(next_token(rest), key, file, lines.number()); };
-    if (key == "FIELDS" || key == "COLUMNS") each([&](auto t) { header.names.emplace_back(t); });
-    else if (key == "SIZE") each([&](auto t) { header.sizes.push_back(whole(t, key, file, lines.number())); });
-    else if (key == "COUNT") each([&](auto t) { header.counts.push_back(whole(t, key, file, lines.number())); });
-    else if (key == "TYPE") each([&](auto t) { header.types.emplace_back(t); });
-    else if (key == "WIDTH") header.width = one();
-    else if (key == "HEIGHT") header.height = one();
-    else if (key == "POINTS") header.points = one();
-    else if (key == "DATA") header.data = std::string(next_token(rest));
+    if (key == "FIELDS" || key == "COLUMNS")
+      each([&](auto t) { header.names.emplace_back(t); });
+    else if (key == "SIZE")
+      each([&](auto t) { header.sizes.push_back(whole(t, key, file, lines.number())); });
+    else if (key == "COUNT")
+      each([&](auto t) { header.counts.push_back(whole(t, key, file, lines.number())); });
+    else if (key == "TYPE")
+      each([&](auto t) { header.types.emplace_back(t); });
+    else if (key == "WIDTH")
+      header.width = one();
+    else if (key == "HEIGHT")
+      header.height = one();
+    else if (key == "POINTS")
+      header.points = one();
+    else if (key == "DATA")
+      header.data = std::string(next_token(rest));
     else if (key == "VIEWPOINT") {
       Eigen::Isometry3d pose;
       if (parse_pose(rest, pose)) header.viewpoint = {pose};
     } else if (key != "VERSION") {
-      fail_data(file, line_place(lines.number()), fmt::format("unknown keyword '{}' in the header", key.substr(0, 40)));
+      fail_data(file, line_place(lines.number()),
+                fmt::format("unknown keyword '{}' in the header", key.substr(0, 40)));
     }
     if (key == "DATA" && header.data.empty()) {
-      fail_data(file, line_place(lines.number()), "DATA must be ascii, binary or binary_compressed");
+      fail_data(file, line_place(lines.number()),
+                "DATA must be ascii, binary or binary_compressed");
     }
   }
   header.lines = lines.number();
@@ -88,7 +101,8 @@ Header read_header(std::string_view content, const std::string& file) {
   return header;
 }
 
-ScalarType scalar_type(const std::string& type, std::uint64_t size, const std::string& name, const std::string& file) {
+ScalarType scalar_type(const std::string& type, std::uint64_t size, const std::string& name,
+                       const std::string& file) {
   if (type == "F" && size == 4) return ScalarType::f32;
   if (type == "F" && size == 8) return ScalarType::f64;
   static constexpr ScalarType whole_types[2][4] = {
@@ -97,11 +111,13 @@ ScalarType scalar_type(const std::string& type, std::uint64_t size, const std::s
   if ((type == "I" || type == "U") && (size == 1 || size == 2 || size == 4 || size == 8)) {
     return whole_types[type == "U" ? 1 : 0][std::countr_zero(size)];
   }
-  fail_data(file, "header", fmt::format("field '{}' has TYPE {} and SIZE {}, which do not go together", name,
-                                        type.substr(0, 20), size));
+  fail_data(file, "header",
+            fmt::format("field '{}' has TYPE {} and SIZE {}, which do not go together", name,
+                        type.substr(0, 20), size));
 }
 
-/// The header's fields as the file lays them out; padding keeps its name "_" until the offsets are known.
+/// The header's fields as the file lays them out; padding keeps its name "_" until the offsets are
+/// known.
 struct FileField {
   std::string name;
   ScalarType type;
@@ -119,7 +135,8 @@ std::vector<FileField> fields_of(Header& header, const std::string& file) {
   if (header.counts.empty()) header.counts.assign(n, 1);
   const auto check = [&](std::size_t found, const char* keyword) {
     if (found != n) {
-      fail_data(file, "header", fmt::format("FIELDS names {} fields, but {} has {} entries", n, keyword, found));
+      fail_data(file, "header",
+                fmt::format("FIELDS names {} fields, but {} has {} entries", n, keyword, found));
     }
   };
   check(header.sizes.size(), "SIZE");
@@ -129,15 +146,18 @@ std::vector<FileField> fields_of(Header& header, const std::string& file) {
   std::size_t values = 0;
   for (std::size_t i = 0; i < n; ++i) {
     if (header.counts[i] < 1 || header.counts[i] > greatest_values) {
-      fail_data(file, "header", fmt::format("field '{}' has COUNT {}", header.names[i], header.counts[i]));
+      fail_data(file, "header",
+                fmt::format("field '{}' has COUNT {}", header.names[i], header.counts[i]));
     }
-    fields.push_back({header.names[i], scalar_type(header.types[i], header.sizes[i], header.names[i], file),
+    fields.push_back({header.names[i],
+                      scalar_type(header.types[i], header.sizes[i], header.names[i], file),
                       static_cast<std::size_t>(header.counts[i])});
     // Padding is bytes, not columns.
     values += header.names[i] == "_" ? 1 : fields.back().count;
   }
   if (values > greatest_values) {
-    fail_data(file, "header", fmt::format("has {} values a point, more than {}", values, greatest_values));
+    fail_data(file, "header",
+              fmt::format("has {} values a point, more than {}", values, greatest_values));
   }
   return fields;
 }
@@ -146,17 +166,22 @@ std::uint64_t count_of(const Header& header, const std::string& file) {
   if (!header.points && !header.width) fail_data(file, "header", "has neither POINTS nor WIDTH");
   if (!header.width) return *header.points;
   const std::uint64_t height = header.height.value_or(1);
-  if (height != 0 && *header.width > UINT64_MAX / height) fail_data(file, "header", "WIDTH x HEIGHT is too large");
+  if (height != 0 && *header.width > UINT64_MAX / height)
+    fail_data(file, "header", "WIDTH x HEIGHT is too large");
   const std::uint64_t count = *header.width * height;
   if (header.points && *header.points != count) {
-    fail_data(file, "header", fmt::format("WIDTH {} x HEIGHT {} is not POINTS {}", *header.width, height, *header.points));
+    fail_data(file, "header",
+              fmt::format("WIDTH {} x HEIGHT {} is not POINTS {}", *header.width, height,
+                          *header.points));
   }
   return count;
 }
 
-/// Columns of all fields but the padding; "normal" with COUNT 3 becomes normal_0, normal_1, normal_2.
-/// `by_column`: one whole field behind the other (binary_compressed), `count` points long.
-std::vector<Column> lay_out(const std::vector<FileField>& fields, bool by_column, std::size_t count, bool padding) {
+/// Columns of all fields but the padding; "normal" with COUNT 3 becomes normal_0, normal_1,
+/// normal_2. `by_column`: one whole field behind the other (binary_compressed), `count` points
+/// long.
+std::vector<Column> lay_out(const std::vector<FileField>& fields, bool by_column, std::size_t count,
+                            bool padding) {
   std::size_t record = 0;
   for (const auto& field : fields) record += field.bytes();
   std::vector<Column> columns;
@@ -164,8 +189,9 @@ std::vector<Column> lay_out(const std::vector<FileField>& fields, bool by_column
   for (const auto& field : fields) {
     if (field.name != "_") {
       for (std::size_t k = 0; k < field.count; ++k) {
-        columns.push_back({field.count == 1 ? field.name : fmt::format("{}_{}", field.name, k), field.type,
-                           offset + k * scalar_size(field.type), by_column ? field.bytes() : record});
+        columns.push_back({field.count == 1 ? field.name : fmt::format("{}_{}", field.name, k),
+                           field.type, offset + k * scalar_size(field.type),
+                           by_column ? field.bytes() : record});
       }
     } else if (!padding) {
       continue;
@@ -176,14 +202,18 @@ std::vector<Column> lay_out(const std::vector<FileField>& fields, bool by_column
 }
 
 /// Text to records in the machine's own byte order.
-std::string records_from_text(const Header& header, const std::vector<FileField>& fields, std::size_t count,
-                              std::size_t record, const std::string& file) {
+std::string records_from_text(const Header& header, const std::vector<FileField>& fields,
+                              std::size_t count, std::size_t record, const std::string& file) {
   std::size_t values = 0;
   for (const auto& field : fields) values += field.count;
-  // A value is at least one digit and one blank or line end: no header makes us reserve more than the file can hold.
+  // A value is at least one digit and one blank or line end: no header makes us reserve more than
+  // the file can hold.
   if (count > 0 && (header.body.size() + 1) / 2 / values < count) {
-    fail_data(file, "", fmt::format("expected {} points of {} values after the header, found {} bytes of text", count,
-                                    values, header.body.size()), "the file is truncated");
+    fail_data(
+        file, "",
+        fmt::format("expected {} points of {} values after the header, found {} bytes of text",
+                    count, values, header.body.size()),
+        "the file is truncated");
   }
   std::string bytes(count * record, '\0');
   char* out = bytes.data();
@@ -195,26 +225,31 @@ std::string records_from_text(const Header& header, const std::vector<FileField>
     std::string_view token = next_token(rest);
     if (token.empty()) continue;
     if (found == count) {
-      fail_data(file, line_place(lines.number()), fmt::format("more lines than the {} points of the header", count));
+      fail_data(file, line_place(lines.number()),
+                fmt::format("more lines than the {} points of the header", count));
     }
     for (const auto& field : fields) {
       for (std::size_t k = 0; k < field.count; ++k) {
         if (token.empty()) {
-          fail_data(file, line_place(lines.number()), fmt::format("has fewer than {} values", values));
+          fail_data(file, line_place(lines.number()),
+                    fmt::format("has fewer than {} values", values));
         }
         if (!parse_scalar(token, field.type, out)) {
-          fail_data(file, line_place(lines.number()),
-                    fmt::format("'{}' is no value for the field '{}'", token.substr(0, 40), field.name));
+          fail_data(
+              file, line_place(lines.number()),
+              fmt::format("'{}' is no value for the field '{}'", token.substr(0, 40), field.name));
         }
         out += scalar_size(field.type);
         token = next_token(rest);
       }
     }
-    if (!token.empty()) fail_data(file, line_place(lines.number()), fmt::format("has more than {} values", values));
+    if (!token.empty())
+      fail_data(file, line_place(lines.number()), fmt::format("has more than {} values", values));
     ++found;
   }
   if (found != count) {
-    fail_data(file, "", fmt::format("expected {} points, found {}", count, found), "the file is truncated");
+    fail_data(file, "", fmt::format("expected {} points, found {}", count, found),
+              "the file is truncated");
   }
   return bytes;
 }
@@ -227,17 +262,21 @@ std::uint32_t little32(std::string_view bytes, std::size_t at) {
 
 std::string unpack(std::string_view body, const std::string& file) {
   if (body.size() < 8) {
-    fail_data(file, "", fmt::format("expected 8 bytes of sizes after the header, found {}", body.size()),
+    fail_data(file, "",
+              fmt::format("expected 8 bytes of sizes after the header, found {}", body.size()),
               "the file is truncated");
   }
   const std::size_t packed = little32(body, 0);
   const std::size_t unpacked = little32(body, 4);
   if (body.size() - 8 < packed) {
-    fail_data(file, "", fmt::format("expected {} bytes of compressed data, found {}", packed, body.size() - 8),
-              "the file is truncated");
+    fail_data(
+        file, "",
+        fmt::format("expected {} bytes of compressed data, found {}", packed, body.size() - 8),
+        "the file is truncated");
   }
   if (unpacked / lzf_greatest_expansion > packed) {
-    fail_data(file, "", fmt::format("{} compressed bytes cannot hold {}", packed, unpacked), "the file is damaged");
+    fail_data(file, "", fmt::format("{} compressed bytes cannot hold {}", packed, unpacked),
+              "the file is damaged");
   }
   auto bytes = lzf_decompress(body.substr(8, packed), unpacked);
   if (!bytes) fail_data(file, "", "the compressed data is damaged");
@@ -269,7 +308,8 @@ PointCloud parse_pcd(std::string_view content, const std::string& file) {
     record += field.bytes();
     if (field.name != "_") record_without_padding += field.bytes();
   }
-  if (points > UINT64_MAX / 8 / record) fail_data(file, "header", fmt::format("POINTS {} is too large", points));
+  if (points > UINT64_MAX / 8 / record)
+    fail_data(file, "header", fmt::format("POINTS {} is too large", points));
   const auto count = static_cast<std::size_t>(points);
 
   std::string unpacked;
@@ -282,8 +322,10 @@ PointCloud parse_pcd(std::string_view content, const std::string& file) {
     swap = false;
   } else if (header.data == "binary") {
     if (bytes.size() / record < count) {
-      fail_data(file, "", fmt::format("expected {} bytes of points after the header, found {}", count * record,
-                                      bytes.size()), "the file is truncated");
+      fail_data(file, "",
+                fmt::format("expected {} bytes of points after the header, found {}",
+                            count * record, bytes.size()),
+                "the file is truncated");
     }
   } else if (header.data == "binary_compressed") {
     if (count > 0 || !bytes.empty()) unpacked = unpack(bytes, file);
@@ -292,16 +334,20 @@ PointCloud parse_pcd(std::string_view content, const std::string& file) {
     // PCL leaves padding out when it compresses, but other writers do not.
     padding = bytes.size() == record * count;
     if (!padding && bytes.size() != record_without_padding * count) {
-      fail_data(file, "", fmt::format("expected {} bytes of points, the compressed data holds {}", record * count,
-                                      bytes.size()));
+      fail_data(file, "",
+                fmt::format("expected {} bytes of points, the compressed data holds {}",
+                            record * count, bytes.size()));
     }
   } else {
-    fail_data(file, line_place(header.lines), fmt::format("DATA '{}' is unknown", header.data.substr(0, 40)),
+    fail_data(file, line_place(header.lines),
+              fmt::format("DATA '{}' is unknown", header.data.substr(0, 40)),
               "known are: ascii, binary, binary_compressed");
   }
 
-  PointCloud cloud = cloud_from_columns(lay_out(fields, by_column, count, padding), bytes, count, swap, file);
-  if (header.width && header.height.value_or(1) > 1 && *header.width <= INT32_MAX && *header.height <= INT32_MAX) {
+  PointCloud cloud =
+      cloud_from_columns(lay_out(fields, by_column, count, padding), bytes, count, swap, file);
+  if (header.width && header.height.value_or(1) > 1 && *header.width <= INT32_MAX &&
+      *header.height <= INT32_MAX) {
     cloud.width = static_cast<int>(*header.width);
     cloud.height = static_cast<int>(*header.height);
   }
@@ -321,13 +367,16 @@ std::string format_pcd(const PointCloud& cloud, PcdData data, const std::string&
   }
   std::string text = "# .PCD v0.7 - Point Cloud Data file format\n";
   if (cloud.sensor_poses.size() > 1) {  // VIEWPOINT holds one only
-    for (const auto& pose : cloud.sensor_poses) text += fmt::format("# {} {}\n", pose_comment, pose_text(pose));
+    for (const auto& pose : cloud.sensor_poses)
+      text += fmt::format("# {} {}\n", pose_comment, pose_text(pose));
   }
   const bool organized = cloud.height > 1;
-  text += fmt::format("VERSION 0.7\nFIELDS{}\nSIZE{}\nTYPE{}\nCOUNT{}\nWIDTH {}\nHEIGHT {}\n", names, sizes, types,
-                      counts, organized ? static_cast<std::size_t>(cloud.width) : cloud.size(),
+  text += fmt::format("VERSION 0.7\nFIELDS{}\nSIZE{}\nTYPE{}\nCOUNT{}\nWIDTH {}\nHEIGHT {}\n",
+                      names, sizes, types, counts,
+                      organized ? static_cast<std::size_t>(cloud.width) : cloud.size(),
                       organized ? cloud.height : 1);
-  if (!cloud.sensor_poses.empty()) text += fmt::format("VIEWPOINT {}\n", pose_text(cloud.sensor_poses.front()));
+  if (!cloud.sensor_poses.empty())
+    text += fmt::format("VIEWPOINT {}\n", pose_text(cloud.sensor_poses.front()));
   text += fmt::format("POINTS {}\nDATA ", cloud.size());
   if (data == PcdData::ascii) return text + "ascii\n" + text_records(cloud, columns);
   if (data == PcdData::binary) return text + "binary\n" + pack_records(cloud, columns);

@@ -28,7 +28,8 @@ struct Element {
   std::uint64_t count = 0;
   std::vector<Property> properties;
   [[nodiscard]] bool has_lists() const {
-    return std::any_of(properties.begin(), properties.end(), [](const auto& p) { return p.list_count.has_value(); });
+    return std::any_of(properties.begin(), properties.end(),
+                       [](const auto& p) { return p.list_count.has_value(); });
   }
   /// Bytes of a record, lists counted by their lengths alone: the least a record can take.
   [[nodiscard]] std::size_t least_bytes() const {
@@ -52,18 +53,19 @@ std::string line_place(std::size_t line) { return fmt::format("line {}", line); 
 std::optional<std::uint64_t> whole(std::string_view token) {
   std::uint64_t value = 0;
   const auto result = std::from_chars(token.data(), token.data() + token.size(), value);
-  if (token.empty() || result.ec != std::errc{} || result.ptr != token.data() + token.size()) return std::nullopt;
+  if (token.empty() || result.ec != std::errc{} || result.ptr != token.data() + token.size())
+    return std::nullopt;
   return value;
 }
 
 std::optional<ScalarType> type_named(std::string_view name) {
   static constexpr std::pair<std::string_view, ScalarType> names[] = {
-      {"char", ScalarType::i8},      {"int8", ScalarType::i8},     {"uchar", ScalarType::u8},
-      {"uint8", ScalarType::u8},     {"short", ScalarType::i16},   {"int16", ScalarType::i16},
-      {"ushort", ScalarType::u16},   {"uint16", ScalarType::u16},  {"int", ScalarType::i32},
-      {"int32", ScalarType::i32},    {"uint", ScalarType::u32},    {"uint32", ScalarType::u32},
-      {"int64", ScalarType::i64},    {"uint64", ScalarType::u64},  {"float", ScalarType::f32},
-      {"float32", ScalarType::f32},  {"double", ScalarType::f64},  {"float64", ScalarType::f64}};
+      {"char", ScalarType::i8},     {"int8", ScalarType::i8},    {"uchar", ScalarType::u8},
+      {"uint8", ScalarType::u8},    {"short", ScalarType::i16},  {"int16", ScalarType::i16},
+      {"ushort", ScalarType::u16},  {"uint16", ScalarType::u16}, {"int", ScalarType::i32},
+      {"int32", ScalarType::i32},   {"uint", ScalarType::u32},   {"uint32", ScalarType::u32},
+      {"int64", ScalarType::i64},   {"uint64", ScalarType::u64}, {"float", ScalarType::f32},
+      {"float32", ScalarType::f32}, {"double", ScalarType::f64}, {"float64", ScalarType::f64}};
   for (const auto& [text, type] : names) {
     if (text == name) return type;
   }
@@ -80,7 +82,8 @@ class HeaderReader {
     if (!lines_.next(line) || line != "ply") fail("a PLY file begins with the line 'ply'");
     bool format = false;
     while (true) {
-      if (!lines_.next(line)) fail_data(file_, "header", "ends before end_header", "the file is truncated");
+      if (!lines_.next(line))
+        fail_data(file_, "header", "ends before end_header", "the file is truncated");
       std::string_view rest = line;
       const std::string_view key = next_token(rest);
       if (key == "end_header") break;
@@ -113,8 +116,9 @@ class HeaderReader {
     if (name == "ascii") return PlyData::ascii;
     if (name == "binary_little_endian") return PlyData::little_endian;
     if (name == "binary_big_endian") return PlyData::big_endian;
-    fail(fmt::format("format '{}' is unknown; known are: ascii, binary_little_endian, binary_big_endian",
-                     name.substr(0, 40)));
+    fail(fmt::format(
+        "format '{}' is unknown; known are: ascii, binary_little_endian, binary_big_endian",
+        name.substr(0, 40)));
   }
 
   Element element(std::string_view rest) const {
@@ -151,9 +155,12 @@ class HeaderReader {
   static void remark(std::string_view rest, Header& header) {
     const std::string_view key = next_token(rest);
     Eigen::Isometry3d pose;
-    if (key == pose_comment && parse_pose(rest, pose)) header.poses.push_back(pose);
-    else if (key == "num_cols") header.columns = whole(next_token(rest)).value_or(0);
-    else if (key == "num_rows") header.rows = whole(next_token(rest)).value_or(0);
+    if (key == pose_comment && parse_pose(rest, pose))
+      header.poses.push_back(pose);
+    else if (key == "num_cols")
+      header.columns = whole(next_token(rest)).value_or(0);
+    else if (key == "num_rows")
+      header.rows = whole(next_token(rest)).value_or(0);
   }
 
   LineReader lines_;
@@ -163,7 +170,8 @@ class HeaderReader {
 /// Reads through the body of a binary file.
 class BinaryBody {
  public:
-  BinaryBody(std::string_view body, bool swap, const std::string& file) : rest_(body), swap_(swap), file_(file) {}
+  BinaryBody(std::string_view body, bool swap, const std::string& file)
+      : rest_(body), swap_(swap), file_(file) {}
 
   void skip(const Element& element) {
     if (!element.has_lists()) {
@@ -179,7 +187,8 @@ class BinaryBody {
   std::string_view take(const Element& element, std::string& storage) {
     require(element, element.count, std::max<std::size_t>(element.least_bytes(), 1));
     if (!element.has_lists()) {
-      const std::string_view bytes = rest_.substr(0, static_cast<std::size_t>(element.count) * element.least_bytes());
+      const std::string_view bytes =
+          rest_.substr(0, static_cast<std::size_t>(element.count) * element.least_bytes());
       rest_.remove_prefix(bytes.size());
       return bytes;
     }
@@ -192,15 +201,19 @@ class BinaryBody {
     if (rest_.size() / record < count) {
       const auto bytes = count > UINT64_MAX / record ? fmt::format("{} x {}", count, record)
                                                      : fmt::format("{}", count * record);
-      fail_data(file_, "", fmt::format("expected {} bytes of the element '{}', found {}", bytes, element.name,
-                                       rest_.size()), "the file is truncated");
+      fail_data(file_, "",
+                fmt::format("expected {} bytes of the element '{}', found {}", bytes, element.name,
+                            rest_.size()),
+                "the file is truncated");
     }
   }
 
   std::string_view bytes(const Element& element, std::uint64_t count) {
     if (rest_.size() < count) {
-      fail_data(file_, "", fmt::format("ends within the element '{}': expected {} more bytes, found {}", element.name,
-                                       count, rest_.size()), "the file is truncated");
+      fail_data(file_, "",
+                fmt::format("ends within the element '{}': expected {} more bytes, found {}",
+                            element.name, count, rest_.size()),
+                "the file is truncated");
     }
     const std::string_view taken = rest_.substr(0, static_cast<std::size_t>(count));
     rest_.remove_prefix(taken.size());
@@ -209,7 +222,8 @@ class BinaryBody {
 
   void record(const Element& element, std::string* keep) {
     for (const auto& property : element.properties) {
-      const std::string_view value = bytes(element, scalar_size(property.list_count.value_or(property.type)));
+      const std::string_view value =
+          bytes(element, scalar_size(property.list_count.value_or(property.type)));
       if (!property.list_count) {
         if (keep != nullptr) keep->append(value);
         continue;
@@ -222,11 +236,12 @@ class BinaryBody {
   [[nodiscard]] std::uint64_t length(std::string_view value, ScalarType type) const {
     std::uint64_t n = 0;
     for (std::size_t k = 0; k < value.size(); ++k) {
-      const bool backwards = swap_ == (std::endian::native == std::endian::big);  // the file is little endian
+      const bool backwards =
+          swap_ == (std::endian::native == std::endian::big);  // the file is little endian
       n = n << 8 | static_cast<unsigned char>(value[backwards ? value.size() - 1 - k : k]);
     }
-    const bool is_signed = type == ScalarType::i8 || type == ScalarType::i16 || type == ScalarType::i32 ||
-                           type == ScalarType::i64;
+    const bool is_signed = type == ScalarType::i8 || type == ScalarType::i16 ||
+                           type == ScalarType::i32 || type == ScalarType::i64;
     const bool negative = is_signed && (n >> (8 * value.size() - 1) & 1) != 0;
     if (negative || n > UINT32_MAX) fail_data(file_, "", "has a list of negative or absurd length");
     return n;
@@ -240,22 +255,28 @@ class BinaryBody {
 /// Takes the records of one ascii element; one record a line.
 class TextBody {
  public:
-  TextBody(const Header& header, const std::string& file) : lines_(header.body, header.lines + 1), file_(file) {}
+  TextBody(const Header& header, const std::string& file)
+      : lines_(header.body, header.lines + 1), file_(file) {}
 
   void read(const Element& element, std::string* keep) {
     // A record is at least one digit and one line end.
     const std::size_t least = std::max<std::size_t>(1, element.properties.size());
     if (element.count > 0 && (lines_.rest().size() + 1) / 2 / least < element.count) {
-      fail_data(file_, "", fmt::format("expected {} lines of the element '{}', found {} bytes of text", element.count,
-                                       element.name, lines_.rest().size()), "the file is truncated");
+      fail_data(file_, "",
+                fmt::format("expected {} lines of the element '{}', found {} bytes of text",
+                            element.count, element.name, lines_.rest().size()),
+                "the file is truncated");
     }
-    if (keep != nullptr) keep->reserve(static_cast<std::size_t>(element.count) * element.least_bytes());
+    if (keep != nullptr)
+      keep->reserve(static_cast<std::size_t>(element.count) * element.least_bytes());
     std::string_view line;
     for (std::uint64_t i = 0; i < element.count; ++i) {
       do {
         if (!lines_.next(line)) {
-          fail_data(file_, "", fmt::format("expected {} lines of the element '{}', found {}", element.count,
-                                           element.name, i), "the file is truncated");
+          fail_data(file_, "",
+                    fmt::format("expected {} lines of the element '{}', found {}", element.count,
+                                element.name, i),
+                    "the file is truncated");
         }
       } while (line.find_first_not_of(" \t\r") == std::string_view::npos);
       record(element, line, keep);
@@ -275,11 +296,13 @@ class TextBody {
       }
       if (keep == nullptr) continue;
       if (!parse_scalar(token, property.type, value)) {
-        fail(fmt::format("'{}' is no value for the property '{}'", token.substr(0, 40), property.name));
+        fail(fmt::format("'{}' is no value for the property '{}'", token.substr(0, 40),
+                         property.name));
       }
       keep->append(value, scalar_size(property.type));
     }
-    if (!next_token(line).empty()) fail(fmt::format("has more values than the element '{}'", element.name));
+    if (!next_token(line).empty())
+      fail(fmt::format("has more values than the element '{}'", element.name));
   }
 
   std::string_view take(const Element& element, std::string_view& line) const {
@@ -288,7 +311,9 @@ class TextBody {
     return token;
   }
 
-  [[noreturn]] void fail(const std::string& cause) const { fail_data(file_, line_place(lines_.number()), cause); }
+  [[noreturn]] void fail(const std::string& cause) const {
+    fail_data(file_, line_place(lines_.number()), cause);
+  }
 
   LineReader lines_;
   const std::string& file_;
@@ -296,12 +321,18 @@ class TextBody {
 
 std::string_view type_name(ScalarType type) {
   switch (type) {
-    case ScalarType::u8: return "uchar";
-    case ScalarType::u16: return "ushort";
-    case ScalarType::i32: return "int";
-    case ScalarType::u32: return "uint";
-    case ScalarType::f64: return "double";
-    default: return "float";
+    case ScalarType::u8:
+      return "uchar";
+    case ScalarType::u16:
+      return "ushort";
+    case ScalarType::i32:
+      return "int";
+    case ScalarType::u32:
+      return "uint";
+    case ScalarType::f64:
+      return "double";
+    default:
+      return "float";
   }
 }
 
@@ -330,7 +361,8 @@ PointCloud parse_ply(std::string_view content, const std::string& file) {
   bool swap = false;
   if (header.data == PlyData::ascii) {
     TextBody body(header, file);
-    for (auto element = header.elements.begin(); element != vertex; ++element) body.read(*element, nullptr);
+    for (auto element = header.elements.begin(); element != vertex; ++element)
+      body.read(*element, nullptr);
     body.read(*vertex, &storage);
     bytes = storage;
   } else {
@@ -345,10 +377,11 @@ PointCloud parse_ply(std::string_view content, const std::string& file) {
     if (!property.list_count) columns.push_back({property.name, property.type});
   }
   lay_out_records(columns);
-  PointCloud cloud = cloud_from_columns(columns, bytes, static_cast<std::size_t>(vertex->count), swap, file);
+  PointCloud cloud =
+      cloud_from_columns(columns, bytes, static_cast<std::size_t>(vertex->count), swap, file);
   cloud.sensor_poses = header.poses;
-  if (header.rows > 1 && header.columns > 0 && header.columns <= INT32_MAX && header.rows <= INT32_MAX &&
-      header.columns * header.rows == vertex->count) {
+  if (header.rows > 1 && header.columns > 0 && header.columns <= INT32_MAX &&
+      header.rows <= INT32_MAX && header.columns * header.rows == vertex->count) {
     cloud.width = static_cast<int>(header.columns);
     cloud.height = static_cast<int>(header.rows);
   }
@@ -357,13 +390,17 @@ PointCloud parse_ply(std::string_view content, const std::string& file) {
 
 std::string format_ply(const PointCloud& cloud, PlyData data, const std::string& file) {
   const std::vector<OutColumn> columns = columns_of(cloud, file);
-  std::string text = fmt::format("ply\nformat {} 1.0\n", data == PlyData::ascii           ? "ascii"
-                                                         : data == PlyData::little_endian ? "binary_little_endian"
-                                                                                          : "binary_big_endian");
-  for (const auto& pose : cloud.sensor_poses) text += fmt::format("comment {} {}\n", pose_comment, pose_text(pose));
-  if (cloud.height > 1) text += fmt::format("obj_info num_cols {}\nobj_info num_rows {}\n", cloud.width, cloud.height);
+  std::string text =
+      fmt::format("ply\nformat {} 1.0\n", data == PlyData::ascii           ? "ascii"
+                                          : data == PlyData::little_endian ? "binary_little_endian"
+                                                                           : "binary_big_endian");
+  for (const auto& pose : cloud.sensor_poses)
+    text += fmt::format("comment {} {}\n", pose_comment, pose_text(pose));
+  if (cloud.height > 1)
+    text += fmt::format("obj_info num_cols {}\nobj_info num_rows {}\n", cloud.width, cloud.height);
   text += fmt::format("element vertex {}\n", cloud.size());
-  for (const auto& column : columns) text += fmt::format("property {} {}\n", type_name(column.type), column.name);
+  for (const auto& column : columns)
+    text += fmt::format("property {} {}\n", type_name(column.type), column.name);
   text += "end_header\n";
   if (data == PlyData::ascii) return text + text_records(cloud, columns);
   std::string bytes = pack_records(cloud, columns);

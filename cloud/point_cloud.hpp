@@ -12,7 +12,8 @@
 
 namespace scanchor {
 
-/// A named column of numbers, one a point: "intensity", "label", "instance", "plane", or whatever a file brought along.
+/// A named column of numbers, one a point: "intensity", "label", "instance", "plane", or whatever a
+/// file brought along.
 struct Field {
   std::string name;
   std::variant<std::vector<float>, std::vector<double>, std::vector<std::int32_t>,
@@ -23,8 +24,9 @@ struct Field {
   [[nodiscard]] double at(std::size_t i) const;
 };
 
-/// Points in a frame that the file or the caller names, z up where nothing else is said. Points may be non-finite (a depth camera
-/// marks missing returns so); whoever reads them sets those aside and counts them.
+/// Points in a frame that the file or the caller names, z up where nothing else is said. Points may
+/// be non-finite (a depth camera marks missing returns so); whoever reads them sets those aside and
+/// counts them.
 struct PointCloud {
   std::vector<Eigen::Vector3d> points;  ///< [m]
   std::vector<Field> fields;            ///< each as long as `points`

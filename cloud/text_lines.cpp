@@ -4,7 +4,8 @@ namespace scanchor {
 
 std::string_view next_token(std::string_view& rest, char extra, char extra2) {
   const auto between = [=](char c) {
-    return c == ' ' || c == '\t' || c == '\r' || (extra != '\0' && c == extra) || (extra2 != '\0' && c == extra2);
+    return c == ' ' || c == '\t' || c == '\r' || (extra != '\0' && c == extra) ||
+           (extra2 != '\0' && c == extra2);
   };
   std::size_t begin = 0;
   while (begin < rest.size() && between(rest[begin])) ++begin;

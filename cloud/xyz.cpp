@@ -21,7 +21,8 @@ constexpr std::pair<std::string_view, ScalarType> type_names[] = {
 
 std::vector<std::string_view> tokens_of(std::string_view line) {
   std::vector<std::string_view> tokens;
-  for (auto t = next_token(line, ',', ';'); !t.empty(); t = next_token(line, ',', ';')) tokens.push_back(t);
+  for (auto t = next_token(line, ',', ';'); !t.empty(); t = next_token(line, ',', ';'))
+    tokens.push_back(t);
   return tokens;
 }
 
@@ -41,7 +42,9 @@ struct Preface {
 
   /// True if the words name columns: x y z first, in any case.
   bool take_names(const std::vector<std::string_view>& words) {
-    if (words.size() < 3 || lower(words[0]) != "x" || lower(words[1]) != "y" || lower(words[2]) != "z") return false;
+    if (words.size() < 3 || lower(words[0]) != "x" || lower(words[1]) != "y" ||
+        lower(words[2]) != "z")
+      return false;
     names = {"x", "y", "z"};
     for (std::size_t i = 3; i < words.size(); ++i) names.emplace_back(words[i]);
     return true;
@@ -80,8 +83,10 @@ void narrow(Field& field, bool color) {
     return v == std::floor(v) && v <= limit && v >= (color ? 0.0 : -limit);
   });
   if (!whole) return;
-  if (color) field.values = std::vector<std::uint8_t>(values.begin(), values.end());
-  else field.values = std::vector<std::int32_t>(values.begin(), values.end());
+  if (color)
+    field.values = std::vector<std::uint8_t>(values.begin(), values.end());
+  else
+    field.values = std::vector<std::int32_t>(values.begin(), values.end());
 }
 
 std::vector<std::string> default_names(std::size_t columns) {
@@ -109,7 +114,8 @@ PointCloud parse_xyz(std::string_view content, const std::string& file) {
     if (preface.names.size() != n) preface.names = default_names(n);
     if (preface.types.size() != n) preface.types.clear();
     for (std::size_t i = 0; i < n; ++i) {
-      columns.push_back({preface.names[i], preface.types.empty() ? ScalarType::f64 : preface.types[i]});
+      columns.push_back(
+          {preface.names[i], preface.types.empty() ? ScalarType::f64 : preface.types[i]});
     }
     record = lay_out_records(columns);
     bytes.reserve(content.size() / 2);
@@ -146,7 +152,8 @@ PointCloud parse_xyz(std::string_view content, const std::string& file) {
     bytes.resize(at + record);
     for (const auto& column : columns) {
       const std::string_view token = next_token(rest, ',', ';');
-      if (token.empty()) fail(fmt::format("has fewer than the {} columns of the lines before", columns.size()));
+      if (token.empty())
+        fail(fmt::format("has fewer than the {} columns of the lines before", columns.size()));
       if (!parse_scalar(token, column.type, bytes.data() + at + column.offset)) {
         fail(fmt::format("'{}' is no value for the column '{}'", token.substr(0, 40), column.name));
       }
@@ -157,7 +164,8 @@ PointCloud parse_xyz(std::string_view content, const std::string& file) {
     ++count;
   }
   if (preface.count && *preface.count != count) {
-    fail_data(file, "", fmt::format("expected {} points, found {}", *preface.count, count), "the file is truncated");
+    fail_data(file, "", fmt::format("expected {} points, found {}", *preface.count, count),
+              "the file is truncated");
   }
   if (columns.empty()) {
     if (preface.names.empty()) fail_data(file, "", "holds no points");
@@ -188,7 +196,8 @@ std::string format_xyz(const PointCloud& cloud, const std::string& file) {
     }
   }
   std::string text = fmt::format("#{}\n# types{}\n", names, types);
-  for (const auto& pose : cloud.sensor_poses) text += fmt::format("# {} {}\n", pose_comment, pose_text(pose));
+  for (const auto& pose : cloud.sensor_poses)
+    text += fmt::format("# {} {}\n", pose_comment, pose_text(pose));
   if (cloud.height > 1) text += fmt::format("# organized {} {}\n", cloud.width, cloud.height);
   return text + text_records(cloud, columns);
 }

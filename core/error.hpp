@@ -1,5 +1,6 @@
 #pragma once
-// Errors that a person caused and can mend. A broken invariant is not one of them: that is what assert is for.
+// Errors that a person caused and can mend. A broken invariant is not one of them: that is what
+// assert is for.
 
 #include <stdexcept>
 #include <string>
@@ -17,7 +18,8 @@ enum class ExitCode : int {
   inconclusive = 5,
 };
 
-/// One clear line for the person, and the exit code that goes with it. Libraries throw it, the command prints it.
+/// One clear line for the person, and the exit code that goes with it. Libraries throw it, the
+/// command prints it.
 class Error : public std::runtime_error {
  public:
   Error(ExitCode code, const std::string& line) : std::runtime_error(line), code_(code) {}

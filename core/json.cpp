@@ -29,7 +29,8 @@ Json read_json(const std::filesystem::path& path) {
   } catch (const nlohmann::json::parse_error& error) {
     std::size_t line = 1;
     std::size_t column = 1;
-    const std::size_t end = std::min<std::size_t>(error.byte > 0 ? error.byte - 1 : 0, content.size());
+    const std::size_t end =
+        std::min<std::size_t>(error.byte > 0 ? error.byte - 1 : 0, content.size());
     for (std::size_t i = 0; i < end; ++i) {
       ++column;
       if (content[i] == '\n') {
@@ -56,7 +57,9 @@ void JsonReader::fail(const std::string& cause, const std::string& remedy) const
   fail_data(file_, place_, cause, remedy);
 }
 
-bool JsonReader::has(const std::string& key) const { return json_->is_object() && json_->contains(key); }
+bool JsonReader::has(const std::string& key) const {
+  return json_->is_object() && json_->contains(key);
+}
 
 JsonReader JsonReader::at(const std::string& key) const {
   if (!json_->is_object()) fail("must be an object");
@@ -98,13 +101,16 @@ double JsonReader::number_in(double minimum, double maximum) const {
 }
 
 std::int64_t JsonReader::integer() const {
-  if (!json_->is_number_integer()) fail(fmt::format("must be a whole number, is {}", brief(*json_)));
-  if (json_->is_number_unsigned() && json_->get<std::uint64_t>() > std::uint64_t{INT64_MAX}) fail("is too large");
+  if (!json_->is_number_integer())
+    fail(fmt::format("must be a whole number, is {}", brief(*json_)));
+  if (json_->is_number_unsigned() && json_->get<std::uint64_t>() > std::uint64_t{INT64_MAX})
+    fail("is too large");
   return json_->get<std::int64_t>();
 }
 
 std::uint64_t JsonReader::natural() const {
-  if (!json_->is_number_unsigned()) fail(fmt::format("must be a whole number from 0, is {}", brief(*json_)));
+  if (!json_->is_number_unsigned())
+    fail(fmt::format("must be a whole number from 0, is {}", brief(*json_)));
   return json_->get<std::uint64_t>();
 }
 

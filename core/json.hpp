@@ -1,5 +1,6 @@
 #pragma once
-// JSON in and out, with errors that name the file and the place. Heavy: include it in .cpp files only.
+// JSON in and out, with errors that name the file and the place. Heavy: include it in .cpp files
+// only.
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -14,18 +15,19 @@ using Json = nlohmann::ordered_json;
 
 /// Reads a JSON file. Throws Error(bad_data): "scene.json: line 3, column 7: ...".
 Json read_json(const std::filesystem::path& path);
-/// Writes with two spaces of indent and a final newline, whole or not at all. Numbers are the shortest text that reads back.
+/// Writes with two spaces of indent and a final newline, whole or not at all. Numbers are the
+/// shortest text that reads back.
 void write_json(const std::filesystem::path& path, const Json& json);
 
-/// A view on one JSON object that knows where it is, so that a missing or wrong value is reported as
-/// "scene.json: instances[3].size: must be a number above 0, is -1".
+/// A view on one JSON object that knows where it is, so that a missing or wrong value is reported
+/// as "scene.json: instances[3].size: must be a number above 0, is -1".
 class JsonReader {
  public:
   JsonReader(const Json& json, std::string file, std::string place = "");
   [[nodiscard]] bool has(const std::string& key) const;
   [[nodiscard]] JsonReader at(const std::string& key) const;  ///< member; error if absent
   [[nodiscard]] JsonReader at(std::size_t index) const;       ///< element
-  [[nodiscard]] std::size_t size() const;                     ///< elements of an array; error if it is none
+  [[nodiscard]] std::size_t size() const;  ///< elements of an array; error if it is none
   [[nodiscard]] std::vector<std::string> keys() const;
   [[nodiscard]] double number() const;  ///< finite; error otherwise
   [[nodiscard]] double number_in(double minimum, double maximum) const;

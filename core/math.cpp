@@ -47,8 +47,8 @@ double portable_exp(double x) {
   const double r = (x - k * ln2_high) - k * ln2_low;  // |r| <= ln2 / 2
   double sum = 1.0;
   for (int i = 17; i >= 1; --i) sum = 1.0 + sum * r / i;
-  const auto power = std::bit_cast<double>(
-      static_cast<std::uint64_t>(static_cast<std::int64_t>(k) + 1023) << 52);
+  const auto power =
+      std::bit_cast<double>(static_cast<std::uint64_t>(static_cast<std::int64_t>(k) + 1023) << 52);
   return sum * power;
 }
 
@@ -66,10 +66,14 @@ SinCos portable_sincos(double x) {
   for (int i = 8; i >= 1; --i) cosine = (1.0 + cosine) * (-s / ((2.0 * i - 1.0) * (2.0 * i)));
   cosine += 1.0;
   switch (static_cast<std::int64_t>(k) & 3) {
-    case 0: return {sine, cosine};
-    case 1: return {cosine, -sine};
-    case 2: return {-sine, -cosine};
-    default: return {-cosine, sine};
+    case 0:
+      return {sine, cosine};
+    case 1:
+      return {cosine, -sine};
+    case 2:
+      return {-sine, -cosine};
+    default:
+      return {-cosine, sine};
   }
 }
 

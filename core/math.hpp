@@ -1,7 +1,8 @@
 #pragma once
-// Elementary functions whose bits do not depend on the C library. libm differs between platforms in the last bit, and one bit
-// is enough to give a data set another hash. Only +, -, *, /, sqrt and bit operations are used (IEEE 754 rounds those exactly),
-// and the build forbids contraction into fused multiply-add.
+// Elementary functions whose bits do not depend on the C library. libm differs between platforms in
+// the last bit, and one bit is enough to give a data set another hash. Only +, -, *, /, sqrt and
+// bit operations are used (IEEE 754 rounds those exactly), and the build forbids contraction into
+// fused multiply-add.
 
 namespace scanchor {
 
@@ -22,10 +23,11 @@ struct SinCos {
 /// Sine and cosine of x in radians; absolute error below 1e-15 for |x| < 1e5.
 SinCos portable_sincos(double x);
 
-/// Cumulative distribution of the standard normal, Phi(x). Not bit-portable (erfc); for likelihoods, not for data sets.
+/// Cumulative distribution of the standard normal, Phi(x). Not bit-portable (erfc); for
+/// likelihoods, not for data sets.
 double normal_cdf(double x);
-/// Quantile of the standard normal, the inverse of Phi, for 0 < p < 1; relative error below 1e-15, bit-portable.
-/// Wichura, Algorithm AS 241 (PPND16), Applied Statistics 37 (1988).
+/// Quantile of the standard normal, the inverse of Phi, for 0 < p < 1; relative error below 1e-15,
+/// bit-portable. Wichura, Algorithm AS 241 (PPND16), Applied Statistics 37 (1988).
 double normal_quantile(double p);
 
 }  // namespace scanchor

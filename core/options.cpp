@@ -22,8 +22,8 @@ Number parse_number(const Option& option, std::string_view text) {
   }
   const auto real = static_cast<double>(number);
   if (!std::isfinite(real) || real < option.minimum || real > option.maximum) {
-    fail_usage(fmt::format("option {}: {} is outside {} .. {} {}", option.name, text, option.minimum,
-                           option.maximum, option.unit));
+    fail_usage(fmt::format("option {}: {} is outside {} .. {} {}", option.name, text,
+                           option.minimum, option.maximum, option.unit));
   }
   return number;
 }
@@ -38,8 +38,10 @@ std::string value_text(const Option& option) {
   return std::visit(
       [](auto* value) -> std::string {
         using Value = std::decay_t<decltype(*value)>;
-        if constexpr (std::is_same_v<Value, bool>) return *value ? "true" : "false";
-        else return fmt::format("{}", *value);  // fmt prints the shortest text that reads back
+        if constexpr (std::is_same_v<Value, bool>)
+          return *value ? "true" : "false";
+        else
+          return fmt::format("{}", *value);  // fmt prints the shortest text that reads back
       },
       option.value);
 }
@@ -56,8 +58,8 @@ void OptionList::add(std::string_view name, double& value, std::string_view unit
   push({std::string(name), std::string(unit), std::string(text), minimum, maximum, {}, &value});
 }
 
-void OptionList::add(std::string_view name, int& value, std::string_view unit, std::string_view text,
-                     double minimum, double maximum) {
+void OptionList::add(std::string_view name, int& value, std::string_view unit,
+                     std::string_view text, double minimum, double maximum) {
   push({std::string(name), std::string(unit), std::string(text), minimum, maximum, {}, &value});
 }
 
@@ -130,17 +132,19 @@ nlohmann::ordered_json OptionList::to_json() const {
 }
 
 std::string OptionList::to_markdown() const {
-  std::string table = "| option | default | unit | range | meaning |\n| --- | --- | --- | --- | --- |\n";
+  std::string table =
+      "| option | default | unit | range | meaning |\n| --- | --- | --- | --- | --- |\n";
   for (const auto& option : options_) {
     std::string range;
     if (!option.choices.empty()) {
       for (const auto& choice : option.choices) range += (range.empty() ? "" : ", ") + choice;
     } else if (std::isfinite(option.minimum) && std::isfinite(option.maximum) &&
-               (std::holds_alternative<double*>(option.value) || std::holds_alternative<int*>(option.value))) {
+               (std::holds_alternative<double*>(option.value) ||
+                std::holds_alternative<int*>(option.value))) {
       range = fmt::format("{} .. {}", option.minimum, option.maximum);
     }
-    table += fmt::format("| `{}` | {} | {} | {} | {} |\n", option.name, value_text(option), option.unit,
-                         range, option.text);
+    table += fmt::format("| `{}` | {} | {} | {} | {} |\n", option.name, value_text(option),
+                         option.unit, range, option.text);
   }
   return table;
 }

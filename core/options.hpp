@@ -1,11 +1,12 @@
 #pragma once
-// One declaration for each option of a stage. It feeds `--set stage.option=value`, the YAML readers, the JSON of the resolved
-// configuration, the table in the docs and the axes of a sweep.
+// One declaration for each option of a stage. It feeds `--set stage.option=value`, the YAML
+// readers, the JSON of the resolved configuration, the table in the docs and the axes of a sweep.
 //
 //   struct LidarOptions {
 //     double range_sigma = 0.01;
 //     void describe(OptionList& list) {
-//       list.add("range_sigma", range_sigma, "m", "standard deviation of the range noise", 0.0, 1.0);
+//       list.add("range_sigma", range_sigma, "m", "standard deviation of the range noise",
+//       0.0, 1.0);
 //     }
 //   };
 
@@ -29,7 +30,8 @@ struct Option {
   std::variant<double*, int*, bool*, std::uint64_t*, std::string*> value;
 };
 
-/// Options by their dotted names. Holds pointers into the structs that were described: they must outlive the list and not move.
+/// Options by their dotted names. Holds pointers into the structs that were described: they must
+/// outlive the list and not move.
 class OptionList {
  public:
   void add(std::string_view name, double& value, std::string_view unit, std::string_view text,
@@ -54,7 +56,8 @@ class OptionList {
 
   [[nodiscard]] const std::vector<Option>& options() const { return options_; }
 
-  /// Sets one option from text. Throws Error(wrong_usage): unknown name (with "did you mean"), not a number, out of range.
+  /// Sets one option from text. Throws Error(wrong_usage): unknown name (with "did you mean"), not
+  /// a number, out of range.
   void set(std::string_view name, std::string_view value);
   /// Takes "name=value", as `--set` gives it.
   void set_assignment(std::string_view assignment);

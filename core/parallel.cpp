@@ -15,8 +15,8 @@ void parallel_blocks(std::size_t count, std::size_t block,
   if (count == 0) return;
   block = std::max<std::size_t>(block, 1);
   const std::size_t blocks = (count + block - 1) / block;
-  // Isolated: a thread that waits for the blocks of an inner loop must not begin an outer one (another whole scene) meanwhile, or
-  // memory grows with the depth of such nesting.
+  // Isolated: a thread that waits for the blocks of an inner loop must not begin an outer one
+  // (another whole scene) meanwhile, or memory grows with the depth of such nesting.
   tbb::this_task_arena::isolate([&] {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks, 1),
                       [&](const tbb::blocked_range<std::size_t>& range) {
@@ -28,10 +28,10 @@ void parallel_blocks(std::size_t count, std::size_t block,
 }
 
 ThreadLimit::ThreadLimit(int threads)
-    : control_(new tbb::global_control(
-          tbb::global_control::max_allowed_parallelism,
-          threads > 0 ? static_cast<std::size_t>(threads)
-                      : std::max(1U, std::thread::hardware_concurrency()))) {}
+    : control_(new tbb::global_control(tbb::global_control::max_allowed_parallelism,
+                                       threads > 0
+                                           ? static_cast<std::size_t>(threads)
+                                           : std::max(1U, std::thread::hardware_concurrency()))) {}
 
 ThreadLimit::~ThreadLimit() { delete static_cast<tbb::global_control*>(control_); }
 

@@ -6,8 +6,9 @@
 
 namespace scanchor {
 
-/// Calls body(begin, end) for disjoint blocks that cover [0, count). Which thread takes which block is free, so a body must write
-/// only to places that its own indices name; then the result does not depend on the number of threads.
+/// Calls body(begin, end) for disjoint blocks that cover [0, count). Which thread takes which block
+/// is free, so a body must write only to places that its own indices name; then the result does not
+/// depend on the number of threads.
 void parallel_blocks(std::size_t count, std::size_t block,
                      const std::function<void(std::size_t begin, std::size_t end)>& body);
 

@@ -24,15 +24,17 @@ std::string rate_text(double rate) {
 
 }  // namespace
 
-std::string progress_line(const std::string& what, std::size_t done, std::size_t total, double seconds,
-                          std::size_t before) {
-  std::string line = total > 0 ? fmt::format("{} {}/{} ({} %)", what, done, total, done * 100 / total)
-                               : fmt::format("{} {}", what, done);
+std::string progress_line(const std::string& what, std::size_t done, std::size_t total,
+                          double seconds, std::size_t before) {
+  std::string line = total > 0
+                         ? fmt::format("{} {}/{} ({} %)", what, done, total, done * 100 / total)
+                         : fmt::format("{} {}", what, done);
   if (done <= before || seconds <= 0.0) return line;
   const double rate = static_cast<double>(done - before) / seconds;
   line += ", " + rate_text(rate);
   if (total > 0) {
-    line += fmt::format(", {} left", duration(static_cast<double>(total > done ? total - done : 0) / rate));
+    line += fmt::format(", {} left",
+                        duration(static_cast<double>(total > done ? total - done : 0) / rate));
   }
   return line;
 }
@@ -77,11 +79,14 @@ void Progress::resume(std::size_t done) {
 void Progress::show() {
   if (options_.quiet || !*options_.terminal) return;
   const auto now = Clock::now();
-  const auto since = [now](Clock::time_point then) { return std::chrono::duration<double>(now - then).count(); };
+  const auto since = [now](Clock::time_point then) {
+    return std::chrono::duration<double>(now - then).count();
+  };
   if (since(start_) < options_.delay || (visible_ && since(shown_) < options_.interval)) return;
   shown_ = now;
   visible_ = true;
-  std::fprintf(options_.stream, "\r%s\x1b[K", progress_line(what_, done_, total_, since(start_), before_).c_str());
+  std::fprintf(options_.stream, "\r%s\x1b[K",
+               progress_line(what_, done_, total_, since(start_), before_).c_str());
   std::fflush(options_.stream);
 }
 

@@ -11,10 +11,9 @@ std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
   for (int round = 0; round < 10; ++round) {
     const std::uint64_t p0 = std::uint64_t{0xD2511F53} * counter[0];
     const std::uint64_t p1 = std::uint64_t{0xCD9E8D57} * counter[2];
-    counter = {static_cast<std::uint32_t>(p1 >> 32) ^ counter[1] ^ key[0],
-               static_cast<std::uint32_t>(p1),
-               static_cast<std::uint32_t>(p0 >> 32) ^ counter[3] ^ key[1],
-               static_cast<std::uint32_t>(p0)};
+    counter = {
+        static_cast<std::uint32_t>(p1 >> 32) ^ counter[1] ^ key[0], static_cast<std::uint32_t>(p1),
+        static_cast<std::uint32_t>(p0 >> 32) ^ counter[3] ^ key[1], static_cast<std::uint32_t>(p0)};
     key[0] += 0x9E3779B9;
     key[1] += 0xBB67AE85;
   }
@@ -24,9 +23,10 @@ std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
 std::uint64_t stream_seed(std::uint64_t seed, std::string_view name, std::uint64_t index) {
   std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a over the name
   for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-  const auto mixed = philox({static_cast<std::uint32_t>(hash), static_cast<std::uint32_t>(hash >> 32),
-                             static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(index >> 32)},
-                            {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)});
+  const auto mixed =
+      philox({static_cast<std::uint32_t>(hash), static_cast<std::uint32_t>(hash >> 32),
+              static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(index >> 32)},
+             {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)});
   return std::uint64_t{mixed[0]} | (std::uint64_t{mixed[1]} << 32);
 }
 

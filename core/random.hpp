@@ -1,6 +1,6 @@
 #pragma once
-// Counter-based random numbers: a draw is a pure function of what it is for, so the result depends on neither the order of work
-// nor the number of threads nor the packet width.
+// Counter-based random numbers: a draw is a pure function of what it is for, so the result depends
+// on neither the order of work nor the number of threads nor the packet width.
 
 #include <array>
 #include <cstdint>
@@ -8,11 +8,13 @@
 
 namespace scanchor {
 
-/// Philox4x32-10 (Salmon, Moraes, Dror, Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC 2011).
+/// Philox4x32-10 (Salmon, Moraes, Dror, Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC
+/// 2011).
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
                                     std::array<std::uint32_t, 2> key);
 
-/// 64-bit key of a named stream below a seed: `stream_seed(42, "scene", 17)`. Changing one stream leaves all others as they are.
+/// 64-bit key of a named stream below a seed: `stream_seed(42, "scene", 17)`. Changing one stream
+/// leaves all others as they are.
 std::uint64_t stream_seed(std::uint64_t seed, std::string_view name, std::uint64_t index = 0);
 
 /// A function from (a, b, draw) to numbers; stateless, free to call from any thread.

@@ -102,11 +102,10 @@ std::string gate_to_text(const GateReport& report) {
   text += fmt::format("  {:<16} {:>6} {:>6} {:>7} {:>16} {:>6} {}\n", "metric", "before", "after",
                       "change", "95 % interval", "p", "verdict");
   for (const auto& m : report.gated) {
-    text += fmt::format(
-        "  {:<16} {:>6.2f} {:>6.2f} {:>7} {:>16} {:>6.4f} {}\n", m.name, 100 * m.before,
-        100 * m.after, points(m.difference()),
-        fmt::format("{} .. {}", points(m.change.low), points(m.change.high)), m.p_adjusted,
-        verdict_word(m.verdict));
+    text += fmt::format("  {:<16} {:>6.2f} {:>6.2f} {:>7} {:>16} {:>6.4f} {}\n", m.name,
+                        100 * m.before, 100 * m.after, points(m.difference()),
+                        fmt::format("{} .. {}", points(m.change.low), points(m.change.high)),
+                        m.p_adjusted, verdict_word(m.verdict));
   }
   for (const auto& line : report.newly_failed) text += "  no answer any more: " + line + "\n";
   for (const auto& metric : report.classes) {

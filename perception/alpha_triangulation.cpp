@@ -14,7 +14,8 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
 using Face = CGAL::Triangulation_face_base_with_info_2<std::int32_t, Kernel>;
-using Delaunay = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>>;
+using Delaunay =
+    CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>>;
 
 constexpr std::uint32_t side = 1U << 16;
 
@@ -85,14 +86,17 @@ Triangulation delaunay(const std::vector<Eigen::Vector2d>& points) {
   }
   if (triangulation.dimension() < 2) return result;
   result.triangles.reserve(triangulation.number_of_faces());
-  for (auto face = triangulation.all_faces_begin(); face != triangulation.all_faces_end(); ++face) face->info() = -1;
+  for (auto face = triangulation.all_faces_begin(); face != triangulation.all_faces_end(); ++face)
+    face->info() = -1;
   for (const auto face : triangulation.finite_face_handles()) {
     face->info() = static_cast<std::int32_t>(result.triangles.size());
-    result.triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
+    result.triangles.push_back(
+        {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
   }
   result.neighbours.reserve(result.triangles.size());
   for (const auto face : triangulation.finite_face_handles()) {
-    result.neighbours.push_back({face->neighbor(0)->info(), face->neighbor(1)->info(), face->neighbor(2)->info()});
+    result.neighbours.push_back(
+        {face->neighbor(0)->info(), face->neighbor(1)->info(), face->neighbor(2)->info()});
   }
   return result;
 }

@@ -25,7 +25,8 @@ struct Share {
   Moments moments;
 };
 
-Contacts find_contacts(const CanonicalCloud& cloud, const CellTree& tree, const PlaneLabels& labels) {
+Contacts find_contacts(const CanonicalCloud& cloud, const CellTree& tree,
+                       const PlaneLabels& labels) {
   std::vector<std::vector<Share>> shares(tree.cells.size());
   for (std::size_t i = 0; i < tree.cells.size(); ++i) {
     const Cell& cell = tree.cells[i];
@@ -33,7 +34,8 @@ Contacts find_contacts(const CanonicalCloud& cloud, const CellTree& tree, const 
     for (auto p = cell.begin; p < cell.end; ++p) {
       const auto label = labels.of_point[p];
       if (label < 0) continue;
-      auto at = std::find_if(shares[i].begin(), shares[i].end(), [&](const Share& s) { return s.label == label; });
+      auto at = std::find_if(shares[i].begin(), shares[i].end(),
+                             [&](const Share& s) { return s.label == label; });
       if (at == shares[i].end()) at = shares[i].insert(at, Share{label, {}});
       at->moments.add(cloud.x[p], cloud.y[p], cloud.z[p]);
     }
@@ -47,7 +49,8 @@ Contacts find_contacts(const CanonicalCloud& cloud, const CellTree& tree, const 
         const auto& nb = labels.planes[static_cast<std::size_t>(t.label)].plane.normal;
         if (std::abs(na.dot(nb)) < least_cosine) continue;
         const bool rising = h.label < t.label;
-        auto& contact = contacts[rising ? std::pair(h.label, t.label) : std::pair(t.label, h.label)];
+        auto& contact =
+            contacts[rising ? std::pair(h.label, t.label) : std::pair(t.label, h.label)];
         (rising ? contact.a : contact.b).add(h.moments);
         (rising ? contact.b : contact.a).add(t.moments);
       }
@@ -63,16 +66,19 @@ Contacts find_contacts(const CanonicalCloud& cloud, const CellTree& tree, const 
     for (int k = 0; k < count; ++k) {
       const auto at = tree.find(codes[static_cast<std::size_t>(k)], level, never);
       if (at == CellTree::none || tree.cells[at].children != 0 || shares[at].empty()) continue;
-      if (tree.cells[at].level < level || at > i) meet(shares[i], shares[at]);  // equal ones meet once
+      if (tree.cells[at].level < level || at > i)
+        meet(shares[i], shares[at]);  // equal ones meet once
     }
   }
   return contacts;
 }
 
-// Height of b over a at the contact: each piece's points there against the other's plane, of which a tilt cancels.
+// Height of b over a at the contact: each piece's points there against the other's plane, of which
+// a tilt cancels.
 double step(const GrownPlane& a, const GrownPlane& b, const Contact& contact) {
   const double side = a.plane.normal.dot(b.plane.normal) < 0.0 ? -1.0 : 1.0;
-  return 0.5 * std::abs(a.plane.distance(contact.b.mean()) - side * b.plane.distance(contact.a.mean()));
+  return 0.5 *
+         std::abs(a.plane.distance(contact.b.mean()) - side * b.plane.distance(contact.a.mean()));
 }
 
 }  // namespace
@@ -85,7 +91,8 @@ double estimate_flatness(const CellTree& tree, double sigma) {
     if (cell.children < 2 || cell.size() < 4 * fewest) continue;
     const MomentPlane whole = fit_plane_fast(tree.moments[i]);
     // Broad in both directions: twenty times the noise, where it has averaged out.
-    if (whole.variances[1] < broad * sigma * sigma || whole.variances[1] < 9.0 * whole.variances[0]) continue;
+    if (whole.variances[1] < broad * sigma * sigma || whole.variances[1] < 9.0 * whole.variances[0])
+      continue;
     double squares = 0.0, freedom = 0.0, covered = 0.0;
     bool even = true;
     for (std::uint32_t c = 0; c < cell.children && even; ++c) {
@@ -101,7 +108,8 @@ double estimate_flatness(const CellTree& tree, double sigma) {
     if (!even || covered < covered_least * cell.size()) continue;
     const double parts = squares / freedom;
     const double excess = whole.variances[0] * cell.size() / (cell.size() - 3.0) - parts;
-    if (parts > 2.0 * sigma * sigma || excess > systematic_variance) continue;  // edges and steps, not bends
+    if (parts > 2.0 * sigma * sigma || excess > systematic_variance)
+      continue;  // edges and steps, not bends
     seen.emplace_back(excess, static_cast<double>(cell.size()));
   }
   if (seen.empty()) return 0.0;
@@ -115,7 +123,8 @@ double estimate_flatness(const CellTree& tree, double sigma) {
   return 0.0;
 }
 
-void join_bent_planes(const CanonicalCloud& cloud, const CellTree& tree, double sigma, PlaneLabels& labels) {
+void join_bent_planes(const CanonicalCloud& cloud, const CellTree& tree, double sigma,
+                      PlaneLabels& labels) {
   const Contacts contacts = find_contacts(cloud, tree, labels);
   struct Pair {
     std::int32_t a, b;
@@ -129,7 +138,8 @@ void join_bent_planes(const CanonicalCloud& cloud, const CellTree& tree, double 
     pairs.push_back({key.first, key.second, std::min(pa.moments.n, pb.moments.n)});
   }
   // The best known pieces first.
-  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.weight > b.weight; });
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const Pair& a, const Pair& b) { return a.weight > b.weight; });
   auto& planes = labels.planes;
   std::vector<std::int32_t> into(planes.size());
   std::iota(into.begin(), into.end(), 0);
@@ -140,13 +150,16 @@ void join_bent_planes(const CanonicalCloud& cloud, const CellTree& tree, double 
   for (const auto& pair : pairs) {
     auto a = root(pair.a), b = root(pair.b);
     if (a == b) continue;
-    if (planes[static_cast<std::size_t>(a)].moments.n < planes[static_cast<std::size_t>(b)].moments.n) std::swap(a, b);
+    if (planes[static_cast<std::size_t>(a)].moments.n <
+        planes[static_cast<std::size_t>(b)].moments.n)
+      std::swap(a, b);
     auto &pa = planes[static_cast<std::size_t>(a)], &pb = planes[static_cast<std::size_t>(b)];
     Moments both = pa.moments;
     both.add(pb.moments);
     GrownPlane common = grown_plane(both, sigma);
     const double most = sigma * sigma + systematic_variance;
-    if (common.plane.mean_square(pa.moments) > most || common.plane.mean_square(pb.moments) > most) continue;
+    if (common.plane.mean_square(pa.moments) > most || common.plane.mean_square(pb.moments) > most)
+      continue;
     if (std::abs(common.plane.normal.dot(pa.plane.normal)) < least_cosine) continue;
     if (std::abs(common.plane.normal.dot(pb.plane.normal)) < least_cosine) continue;
     pa = std::move(common);

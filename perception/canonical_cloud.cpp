@@ -23,8 +23,9 @@ Eigen::AlignedBox3d bounds_of(const std::vector<Eigen::Vector3d>& points,
   return {low.matrix(), high.matrix()};
 }
 
-// Mean and axes of the points. Coordinates are rounded to 2^-17 of the extent for the second moments: integers of 18 bits, whose
-// products summed over 2^27 points stay below 2^63, and a sum of integers does not depend on its order.
+// Mean and axes of the points. Coordinates are rounded to 2^-17 of the extent for the second
+// moments: integers of 18 bits, whose products summed over 2^27 points stay below 2^63, and a sum
+// of integers does not depend on its order.
 Eigen::Isometry3d principal_frame(const std::vector<Eigen::Vector3d>& points,
                                   const std::vector<std::uint32_t>& index,
                                   const Eigen::AlignedBox3d& box) {
@@ -54,8 +55,9 @@ Eigen::Isometry3d principal_frame(const std::vector<Eigen::Vector3d>& points,
                              static_cast<double>(sum[2]) / n);
   Eigen::Matrix3d covariance;
   covariance << static_cast<double>(product[0]), static_cast<double>(product[1]),
-      static_cast<double>(product[2]), static_cast<double>(product[1]), static_cast<double>(product[3]),
-      static_cast<double>(product[4]), static_cast<double>(product[2]), static_cast<double>(product[4]),
+      static_cast<double>(product[2]), static_cast<double>(product[1]),
+      static_cast<double>(product[3]), static_cast<double>(product[4]),
+      static_cast<double>(product[2]), static_cast<double>(product[4]),
       static_cast<double>(product[5]);
   covariance = covariance / n - mean * mean.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
@@ -63,7 +65,8 @@ Eigen::Isometry3d principal_frame(const std::vector<Eigen::Vector3d>& points,
   Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
   frame.translation() = middle + mean / to_grid;
 
-  // The longer tail is the positive side. Each cube is rounded to an integer of at most 2^35 before it is summed.
+  // The longer tail is the positive side. Each cube is rounded to an integer of at most 2^35 before
+  // it is summed.
   std::array<std::int64_t, 2> skew{};
   const double to_unit = 1.0 / extent;
   for (const auto i : index) {
@@ -79,7 +82,8 @@ Eigen::Isometry3d principal_frame(const std::vector<Eigen::Vector3d>& points,
   return frame;
 }
 
-// Least significant digit first, 12 bits a pass: four passes for 48 bits, each skipped where all digits are equal.
+// Least significant digit first, 12 bits a pass: four passes for 48 bits, each skipped where all
+// digits are equal.
 void radix_sort(std::vector<Keyed>& keys) {
   constexpr int digit_bits = 12, passes = 4;
   constexpr std::size_t buckets = 1U << digit_bits;

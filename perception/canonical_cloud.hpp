@@ -1,6 +1,7 @@
 #pragma once
-// The points in an order and a frame that are properties of the points alone: whatever order they came in and wherever they stood,
-// the same steps follow. Everything else in find_planes works on this copy.
+// The points in an order and a frame that are properties of the points alone: whatever order they
+// came in and wherever they stood, the same steps follow. Everything else in find_planes works on
+// this copy.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -9,20 +10,26 @@
 
 namespace scanchor {
 
-/// Points moved to their own principal frame, as floats, in the order of their Morton codes (G. M. Morton 1966: the bits of the
-/// three coordinates interleaved), ties by x, y, z; equal points are kept once.
-/// * Permutation: all sums over points are sums of integers, so the frame has the same bits for every order of the input.
-/// * Rigid motion: origin and axes move along with the points (axes by falling variance, signs by the third moment), so the
-///   coordinates here stay the same up to rounding. Where two variances are equal (a sphere) the axes are arbitrary.
-/// * Far from the origin: the shift happens in double precision, the floats hold 2^-24 of the cloud's extent.
+/// Points moved to their own principal frame, as floats, in the order of their Morton codes (G. M.
+/// Morton 1966: the bits of the three coordinates interleaved), ties by x, y, z; equal points are
+/// kept once.
+/// * Permutation: all sums over points are sums of integers, so the frame has the same bits for
+/// every order of the input.
+/// * Rigid motion: origin and axes move along with the points (axes by falling variance, signs by
+/// the third moment), so the
+///   coordinates here stay the same up to rounding. Where two variances are equal (a sphere) the
+///   axes are arbitrary.
+/// * Far from the origin: the shift happens in double precision, the floats hold 2^-24 of the
+/// cloud's extent.
 struct CanonicalCloud {
-  static constexpr int levels = 16;        ///< of the octree below the root: codes have 48 bits
-  std::vector<float> x, y, z;              ///< [m] in the principal frame
-  std::vector<std::uint64_t> code;         ///< Morton codes, rising
-  std::vector<std::uint32_t> source;       ///< indices into the cloud, grouped by point
-  std::vector<std::uint32_t> first;        ///< point i stands for source[first[i] .. first[i + 1]); size() + 1 entries
+  static constexpr int levels = 16;   ///< of the octree below the root: codes have 48 bits
+  std::vector<float> x, y, z;         ///< [m] in the principal frame
+  std::vector<std::uint64_t> code;    ///< Morton codes, rising
+  std::vector<std::uint32_t> source;  ///< indices into the cloud, grouped by point
+  std::vector<std::uint32_t>
+      first;  ///< point i stands for source[first[i] .. first[i + 1]); size() + 1 entries
   Eigen::Vector3f low = Eigen::Vector3f::Zero();  ///< corner of the root cell
-  float side = 1.0F;                       ///< [m] of the root cell
+  float side = 1.0F;                              ///< [m] of the root cell
   Eigen::Isometry3d T_cloud_canonical = Eigen::Isometry3d::Identity();
 
   [[nodiscard]] std::size_t size() const { return x.size(); }

@@ -9,30 +9,35 @@
 namespace scanchor {
 namespace {
 
-// A real wall is not a mathematical plane and a noise estimate is not exact: a fifth more scatter than noise still counts as flat.
+// A real wall is not a mathematical plane and a noise estimate is not exact: a fifth more scatter
+// than noise still counts as flat.
 constexpr double slack = 1.2 * 1.2;
-constexpr double z_flat = 3.09;  // one flat cell in a thousand is turned away and then looked at point by point
+constexpr double z_flat =
+    3.09;  // one flat cell in a thousand is turned away and then looked at point by point
 
 struct FlatCell {
   std::uint32_t cell;
   MomentPlane plane;
 };
 
-// Flat within the noise, and broad enough in both directions that its normal means something: known to 0.1 rad (one sigma) and
-// at least 2.5 sigma in standard deviation, so that noise cannot pass for width.
+// Flat within the noise, and broad enough in both directions that its normal means something: known
+// to 0.1 rad (one sigma) and at least 2.5 sigma in standard deviation, so that noise cannot pass
+// for width.
 bool is_flat(const Moments& moments, double sigma, MomentPlane& plane) {
   constexpr double fewest = 6.0, breadth = 6.25, tilt = 0.1;
   if (moments.n < fewest) return false;
   plane = fit_plane_fast(moments);
   const double sigma2 = sigma * sigma, freedom = moments.n - 3.0;
-  return plane.variances[0] * moments.n <= slack * sigma2 * freedom * chi_square_factor(freedom, z_flat) &&
+  return plane.variances[0] * moments.n <=
+             slack * sigma2 * freedom * chi_square_factor(freedom, z_flat) &&
          plane.variances[1] >= breadth * sigma2 &&
          plane.variances[1] >= breadth * plane.variances[0] &&
          sigma2 <= tilt * tilt * moments.n * plane.variances[1];
 }
 
 // The largest flat cells, from the root down.
-std::vector<FlatCell> flat_cells(const CellTree& tree, double sigma, std::vector<std::int32_t>& flat_of_cell) {
+std::vector<FlatCell> flat_cells(const CellTree& tree, double sigma,
+                                 std::vector<std::int32_t>& flat_of_cell) {
   std::vector<FlatCell> flat;
   std::vector<bool> open(tree.cells.size(), false);
   open[0] = true;
@@ -86,14 +91,15 @@ Links link(const CanonicalCloud& cloud, const CellTree& tree, const std::vector<
   return links;
 }
 
-// Does a cell continue the plane of a region? Its mean square distance must be noise, where the plane itself is uncertain by
-// sigma^2/n (1 + u^2/l1 + v^2/l2) so far out.
+// Does a cell continue the plane of a region? Its mean square distance must be noise, where the
+// plane itself is uncertain by sigma^2/n (1 + u^2/l1 + v^2/l2) so far out.
 bool continues(const GrownPlane& region, const Moments& cell, double sigma) {
   const double n = region.moments.n, sigma2 = sigma * sigma;
   const Eigen::Vector3d out = cell.mean() - region.moments.mean();
   const double u = region.plane.axes.col(1).dot(out), v = region.plane.axes.col(2).dot(out);
   const double leverage = (1.0 + u * u / std::max(region.plane.variances[1], 1e-30) +
-                           v * v / std::max(region.plane.variances[2], 1e-30)) / n;
+                           v * v / std::max(region.plane.variances[2], 1e-30)) /
+                          n;
   return region.plane.mean_square(cell) <=
          slack * sigma2 * (chi_square_factor(cell.n, z_flat) + 4.0 * std::min(leverage, 1.0));
 }
@@ -179,7 +185,8 @@ PlaneLabels cell_planes(const CanonicalCloud& cloud, const CellTree& tree, doubl
     const auto reach = static_cast<float>(3.0 * grown.sigma);
     const Cell& cell = tree.cells[flat[f].cell];
     for (auto p = cell.begin; p < cell.end; ++p) {
-      const float distance = normal.x() * cloud.x[p] + normal.y() * cloud.y[p] + normal.z() * cloud.z[p] - offset;
+      const float distance =
+          normal.x() * cloud.x[p] + normal.y() * cloud.y[p] + normal.z() * cloud.z[p] - offset;
       if (std::abs(distance) <= reach) labels.of_point[p] = id;
     }
   }

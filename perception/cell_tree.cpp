@@ -26,10 +26,12 @@ CellTree cell_tree(const CanonicalCloud& cloud, std::uint32_t largest, double le
     while (begin < cell.end) {
       const std::uint64_t prefix = cloud.code[begin] >> shift;
       const auto* const codes = cloud.code.data();
-      const auto end = static_cast<std::uint32_t>(
-          std::upper_bound(codes + begin, codes + cell.end, prefix,
-                           [shift](std::uint64_t p, std::uint64_t code) { return p < (code >> shift); }) -
-          codes);
+      const auto end =
+          static_cast<std::uint32_t>(std::upper_bound(codes + begin, codes + cell.end, prefix,
+                                                      [shift](std::uint64_t p, std::uint64_t code) {
+                                                        return p < (code >> shift);
+                                                      }) -
+                                     codes);
       Cell child{begin, end};
       child.level = static_cast<std::uint8_t>(level);
       tree.cells.push_back(child);
@@ -53,14 +55,16 @@ CellTree cell_tree(const CanonicalCloud& cloud, std::uint32_t largest, double le
 
 int CellTree::neighbour_codes(const CanonicalCloud& cloud, std::uint32_t at,
                               std::array<std::uint64_t, 26>& codes) const {
-  constexpr std::uint64_t axis_bits = 0x249249249249ULL;  // every third bit: z; shifted by one: y; by two: x
+  constexpr std::uint64_t axis_bits =
+      0x249249249249ULL;  // every third bit: z; shifted by one: y; by two: x
   const int shift = shift_of(cells[at].level);
   const std::uint64_t corner = cloud.code[cells[at].begin] >> shift << shift;
   const std::uint64_t one = std::uint64_t{1} << shift;
   std::array<std::array<std::uint64_t, 3>, 3> along;  // per axis: here, one up, one down
   std::array<std::array<bool, 3>, 3> there;
   for (int axis = 0; axis < 3; ++axis) {
-    // Adding with the other axes' bits set carries across them; subtracting with them clear borrows.
+    // Adding with the other axes' bits set carries across them; subtracting with them clear
+    // borrows.
     const std::uint64_t mask = axis_bits << axis, others = ~mask;
     const std::uint64_t here = corner & mask;
     const std::uint64_t up = ((here | others) + (one << axis)) & mask;

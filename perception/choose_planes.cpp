@@ -29,7 +29,8 @@ class Ballot {
     const GrownPlane& grown = planes_[static_cast<std::size_t>(id)];
     const Eigen::Vector3f n = grown.plane.normal.cast<float>();
     candidates_.push_back({id, weight, n.x(), n.y(), n.z(), static_cast<float>(grown.plane.offset),
-                           static_cast<float>(1.0 / grown.sigma), static_cast<float>(std::log(grown.sigma))});
+                           static_cast<float>(1.0 / grown.sigma),
+                           static_cast<float>(std::log(grown.sigma))});
   }
   void count() {
     for (auto& candidate : candidates_) candidate.cost -= std::log(candidate.votes);
@@ -56,9 +57,10 @@ class Ballot {
 
 }  // namespace
 
-void choose_planes(const PointPool& pool, double sigma, const std::vector<Moments>& fixed, int rounds,
-                   std::vector<GrownPlane>& planes, std::vector<std::int32_t>& label) {
-  constexpr float flat_votes = 4.0F;  // a flat cell next door speaks for as many points as a leaf holds
+void choose_planes(const PointPool& pool, double sigma, const std::vector<Moments>& fixed,
+                   int rounds, std::vector<GrownPlane>& planes, std::vector<std::int32_t>& label) {
+  constexpr float flat_votes =
+      4.0F;  // a flat cell next door speaks for as many points as a leaf holds
   const auto& c = pool.cloud;
   std::vector<std::int32_t> next = label;
   for (int round = 0; round < rounds; ++round) {
@@ -74,7 +76,8 @@ void choose_planes(const PointPool& pool, double sigma, const std::vector<Moment
         };
         ask(l);
         for (auto k = pool.start[l]; k < pool.start[l + 1]; ++k) ask(pool.to[k]);
-        for (auto k = pool.region_start[l]; k < pool.region_start[l + 1]; ++k) ballot.vote(pool.regions[k], flat_votes);
+        for (auto k = pool.region_start[l]; k < pool.region_start[l + 1]; ++k)
+          ballot.vote(pool.regions[k], flat_votes);
         ballot.count();
         const Cell& cell = pool.cell(l);
         for (auto p = cell.begin; p < cell.end; ++p) next[p] = ballot.best(c.x[p], c.y[p], c.z[p]);

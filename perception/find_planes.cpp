@@ -18,8 +18,10 @@ void collect_surfaces(const PointCloud& cloud, const PlaneInput& input,
                       const std::vector<std::int32_t>& region_of, Surfaces& surfaces) {
   const auto& canonical = input.cloud;
   std::size_t regions = 0;
-  for (const auto region : region_of) regions = std::max(regions, static_cast<std::size_t>(region + 1));
-  // Sums run over the canonical order, so that the last bit of a plane does not depend on the order of the input.
+  for (const auto region : region_of)
+    regions = std::max(regions, static_cast<std::size_t>(region + 1));
+  // Sums run over the canonical order, so that the last bit of a plane does not depend on the order
+  // of the input.
   const Eigen::Vector3d origin = canonical.T_cloud_canonical.translation();
   std::vector<Moments> moments(regions);
   std::vector<std::uint32_t> count(regions, 0);
@@ -49,20 +51,24 @@ void collect_surfaces(const PointCloud& cloud, const PlaneInput& input,
     if (region_of[i] < 0) continue;
     const auto r = static_cast<std::size_t>(region_of[i]);
     if (seen[r]++ % (1 + count[r] / 2048) != 0) continue;
-    const Eigen::Vector3d d = cloud.points[canonical.source[canonical.first[i]]] - found[r].plane.centroid;
+    const Eigen::Vector3d d =
+        cloud.points[canonical.source[canonical.first[i]]] - found[r].plane.centroid;
     const auto axes = found[r].T_cloud_surface.linear();
     bend[r].add(axes.col(0).dot(d), axes.col(1).dot(d), axes.col(2).dot(d));
   }
-  for (std::size_t i = 0; i < surfaces.plane_of_point.size(); ++i) {  // in the input's order: rising
+  for (std::size_t i = 0; i < surfaces.plane_of_point.size();
+       ++i) {  // in the input's order: rising
     const auto region = surfaces.plane_of_point[i];
-    if (region >= 0) found[static_cast<std::size_t>(region)].inliers.push_back(static_cast<std::uint32_t>(i));
+    if (region >= 0)
+      found[static_cast<std::size_t>(region)].inliers.push_back(static_cast<std::uint32_t>(i));
   }
   std::vector<std::size_t> order;
   for (std::size_t r = 0; r < regions; ++r) {
     if (moments[r].n >= 3.0) order.push_back(r);
   }
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    if (found[a].inliers.size() != found[b].inliers.size()) return found[a].inliers.size() > found[b].inliers.size();
+    if (found[a].inliers.size() != found[b].inliers.size())
+      return found[a].inliers.size() > found[b].inliers.size();
     return found[a].inliers.front() < found[b].inliers.front();
   });
   std::vector<std::int32_t> id_of(regions, -1);
@@ -82,7 +88,8 @@ Surfaces find_planes(const PointCloud& cloud, const PerceiveOptions& options) {
   }
   Surfaces surfaces;
   surfaces.plane_of_point.assign(cloud.size(), -1);
-  for (const auto& pose : cloud.sensor_poses) surfaces.sensor_positions.push_back(pose.translation());
+  for (const auto& pose : cloud.sensor_poses)
+    surfaces.sensor_positions.push_back(pose.translation());
   const UsablePoints usable = set_aside(cloud, options.body_radius);
   surfaces.set_aside = usable.set_aside;
 
@@ -98,13 +105,15 @@ Surfaces find_planes(const PointCloud& cloud, const PerceiveOptions& options) {
   surfaces.point_spacing = input.spacing;
 
   if (options.method == "paper") {
-    collect_surfaces(cloud, input, paper_planes(input.cloud, input.sigma, PaperOptions{}), surfaces);
+    collect_surfaces(cloud, input, paper_planes(input.cloud, input.sigma, PaperOptions{}),
+                     surfaces);
     return surfaces;
   }
   std::vector<std::int32_t> region_of_cell;
   PlaneLabels labels = cell_planes(input.cloud, tree, input.sigma, region_of_cell);
   thin_planes(input.cloud, tree, input.sigma, region_of_cell, labels);
-  if (estimate_flatness(tree, input.sigma) > bent_from * input.sigma) join_bent_planes(input.cloud, tree, input.sigma, labels);
+  if (estimate_flatness(tree, input.sigma) > bent_from * input.sigma)
+    join_bent_planes(input.cloud, tree, input.sigma, labels);
   collect_surfaces(cloud, input, labels.of_point, surfaces);
   return surfaces;
 }

@@ -12,11 +12,13 @@ namespace scanchor {
 /// What both methods work on, and the scales they take their thresholds from.
 struct PlaneInput {
   CanonicalCloud cloud;
-  double sigma = 0.0;    ///< [m] across surfaces: given or estimated, never below the least that is believed
+  double sigma =
+      0.0;  ///< [m] across surfaces: given or estimated, never below the least that is believed
   double spacing = 0.0;  ///< [m] median distance to the nearest neighbour
 };
 
-/// Regions of canonical points -> surfaces of the cloud, in their documented order; a region of fewer than 3 points is none.
+/// Regions of canonical points -> surfaces of the cloud, in their documented order; a region of
+/// fewer than 3 points is none.
 void collect_surfaces(const PointCloud& cloud, const PlaneInput& input,
                       const std::vector<std::int32_t>& region_of, Surfaces& surfaces);
 

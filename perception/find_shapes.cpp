@@ -8,14 +8,17 @@
 namespace scanchor {
 
 void find_shapes(const PointCloud& cloud, const PerceiveOptions& options, Surfaces& surfaces) {
-  // In a merged cloud nobody knows which position saw which point, so the rays are not known either.
+  // In a merged cloud nobody knows which position saw which point, so the rays are not known
+  // either.
   std::unique_ptr<ShapeView> view;
   if (options.method != "paper") {
     if (surfaces.sensor_positions.size() == 1) {
-      view = std::make_unique<ShapeView>(cloud, surfaces.sensor_positions.front(), surfaces.plane_of_point);
+      view = std::make_unique<ShapeView>(cloud, surfaces.sensor_positions.front(),
+                                         surfaces.plane_of_point);
     }
   }
-  // Surfaces come largest first: whoever is free takes the next, so the floor does not come last and alone.
+  // Surfaces come largest first: whoever is free takes the next, so the floor does not come last
+  // and alone.
   parallel_blocks(surfaces.surfaces.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       Surface& surface = surfaces.surfaces[i];

@@ -7,25 +7,30 @@
 namespace scanchor {
 namespace {
 
-// Variance of a plane's height at a place, in units of the noise variance, from its own points alone.
+// Variance of a plane's height at a place, in units of the noise variance, from its own points
+// alone.
 double leverage(const GrownPlane& grown, const Eigen::Vector3d& at) {
   const Eigen::Vector3d out = at - grown.moments.mean();
   const double u = grown.plane.axes.col(1).dot(out), v = grown.plane.axes.col(2).dot(out);
   return (1.0 + u * u / std::max(grown.plane.variances[1], 1e-30) +
-          v * v / std::max(grown.plane.variances[2], 1e-30)) / grown.moments.n;
+          v * v / std::max(grown.plane.variances[2], 1e-30)) /
+         grown.moments.n;
 }
 
-// Half the extent of the points in a direction, if they are spread evenly: the half-length of a bar is sqrt(3) of its deviation.
+// Half the extent of the points in a direction, if they are spread evenly: the half-length of a bar
+// is sqrt(3) of its deviation.
 double half_extent(const GrownPlane& grown, const Eigen::Vector3d& direction) {
   return std::sqrt(3.0 * std::max(0.0, direction.dot(grown.moments.covariance() * direction)));
 }
 
-// Two desks of one height lie in one plane too. What a shadow parts lies near each other, measured by the pieces themselves.
+// Two desks of one height lie in one plane too. What a shadow parts lies near each other, measured
+// by the pieces themselves.
 bool lie_near(const GrownPlane& a, const GrownPlane& b) {
   const Eigen::Vector3d between = b.moments.mean() - a.moments.mean();
   const double distance = between.norm();
   if (distance <= 0.0) return true;
-  const double half_a = half_extent(a, between / distance), half_b = half_extent(b, between / distance);
+  const double half_a = half_extent(a, between / distance),
+               half_b = half_extent(b, between / distance);
   return distance - half_a - half_b <= std::min(half_a, half_b);
 }
 
@@ -36,7 +41,8 @@ bool same_plane(const GrownPlane& a, const GrownPlane& b, double /*sigma*/) {
   both.add(b.moments);
   const double squares = both.n * fit_plane_fast(both).variances[0];
   const double apart = a.moments.n * a.plane.variances[0] + b.moments.n * b.plane.variances[0];
-  // At grazing incidence the scatter across a plane is far below the range noise: what the two themselves show counts.
+  // At grazing incidence the scatter across a plane is far below the range noise: what the two
+  // themselves show counts.
   const double scatter = std::max(a.sigma, b.sigma);
   return squares - apart <= scatter * scatter * (16.3 + 0.1 * std::min(a.moments.n, b.moments.n));
 }
@@ -44,12 +50,13 @@ bool same_plane(const GrownPlane& a, const GrownPlane& b, double /*sigma*/) {
 bool surely_same_plane(const GrownPlane& a, const GrownPlane& b, double sigma) {
   const double known = 0.25 * sigma * sigma;  // (half a sigma)^2
   return a.sigma * a.sigma * leverage(a, b.moments.mean()) < known &&
-         b.sigma * b.sigma * leverage(b, a.moments.mean()) < known && lie_near(a, b) && same_plane(a, b, sigma);
+         b.sigma * b.sigma * leverage(b, a.moments.mean()) < known && lie_near(a, b) &&
+         same_plane(a, b, sigma);
 }
 
-std::vector<std::int32_t> join_planes(const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs, double sigma,
-                                      bool (*same)(const GrownPlane&, const GrownPlane&, double),
-                                      std::vector<GrownPlane>& planes) {
+std::vector<std::int32_t> join_planes(
+    const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs, double sigma,
+    bool (*same)(const GrownPlane&, const GrownPlane&, double), std::vector<GrownPlane>& planes) {
   std::vector<std::int32_t> into(planes.size());
   std::iota(into.begin(), into.end(), 0);
   const auto root = [&](std::int32_t r) {

@@ -6,7 +6,8 @@
 namespace scanchor {
 namespace {
 
-MomentPlane plane_of(const Moments& moments, const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>& solver) {
+MomentPlane plane_of(const Moments& moments,
+                     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>& solver) {
   MomentPlane plane;
   plane.axes = solver.eigenvectors();
   plane.variances = solver.eigenvalues().cwiseMax(0.0);

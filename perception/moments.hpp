@@ -1,5 +1,6 @@
 #pragma once
-// Sums of points up to second order: enough to fit a plane and to tell the mean square error of any plane, without the points.
+// Sums of points up to second order: enough to fit a plane and to tell the mean square error of any
+// plane, without the points.
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -55,10 +56,11 @@ struct Moments {
   [[nodiscard]] Eigen::Matrix3d covariance() const;
 };
 
-/// Best plane of some moments: the direction of least variance, and the variances along the three principal axes.
+/// Best plane of some moments: the direction of least variance, and the variances along the three
+/// principal axes.
 struct MomentPlane {
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit; its sign has no meaning
-  double offset = 0.0;                                ///< normal . x = offset
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();    ///< unit; its sign has no meaning
+  double offset = 0.0;                                  ///< normal . x = offset
   Eigen::Vector3d variances = Eigen::Vector3d::Zero();  ///< [m2] rising, never negative, divisor n
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();   ///< columns in the order of `variances`
 
@@ -70,9 +72,11 @@ struct MomentPlane {
   [[nodiscard]] double mean_square(const Moments& moments) const;
 };
 
-/// Least-squares plane; n >= 1. Accurate to rounding (iterative solver): for planes that are handed on.
+/// Least-squares plane; n >= 1. Accurate to rounding (iterative solver): for planes that are handed
+/// on.
 MomentPlane fit_plane(const Moments& moments);
-/// The same by a closed formula, some times faster, exact to about 1e-7 of the largest spread: for decisions inside loops.
+/// The same by a closed formula, some times faster, exact to about 1e-7 of the largest spread: for
+/// decisions inside loops.
 MomentPlane fit_plane_fast(const Moments& moments);
 
 }  // namespace scanchor

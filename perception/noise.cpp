@@ -11,7 +11,8 @@ struct Weighted {
 };
 
 double weighted_quantile(std::vector<Weighted>& values, double share) {
-  std::sort(values.begin(), values.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+  std::sort(values.begin(), values.end(),
+            [](const auto& a, const auto& b) { return a.value < b.value; });
   double total = 0.0;
   for (const auto& v : values) total += v.weight;
   double sum = 0.0;
@@ -22,8 +23,8 @@ double weighted_quantile(std::vector<Weighted>& values, double share) {
   return values.back().value;
 }
 
-// Squared distance from point i to its nearest neighbour: a bound from the neighbours along the Morton curve, then all cells
-// that the ball of that radius touches.
+// Squared distance from point i to its nearest neighbour: a bound from the neighbours along the
+// Morton curve, then all cells that the ball of that radius touches.
 float nearest2(const CanonicalCloud& cloud, std::size_t i) {
   const Eigen::Vector3f p = cloud.point(i);
   float best = 3e38F;
@@ -39,8 +40,10 @@ float nearest2(const CanonicalCloud& cloud, std::size_t i) {
   const float last = static_cast<float>(1U << level) - 1.0F;
   Eigen::Vector3i low, high;
   for (int axis = 0; axis < 3; ++axis) {
-    low[axis] = static_cast<int>(std::clamp((p[axis] - radius - cloud.low[axis]) * inverse, 0.0F, last));
-    high[axis] = static_cast<int>(std::clamp((p[axis] + radius - cloud.low[axis]) * inverse, 0.0F, last));
+    low[axis] =
+        static_cast<int>(std::clamp((p[axis] - radius - cloud.low[axis]) * inverse, 0.0F, last));
+    high[axis] =
+        static_cast<int>(std::clamp((p[axis] + radius - cloud.low[axis]) * inverse, 0.0F, last));
   }
   for (int cx = low.x(); cx <= high.x(); ++cx) {
     for (int cy = low.y(); cy <= high.y(); ++cy) {
@@ -99,7 +102,9 @@ double estimate_noise(const CanonicalCloud& cloud, const CellTree& tree, double 
     const MomentPlane whole = fit_plane_fast(tree.moments[i]);
     const double variance = whole.variances[0] * cell.size() / (cell.size() - 3.0);
     const double floor2 = least_noise(cloud, spacing) * least_noise(cloud, spacing);
-    if (whole.variances[1] < flat * variance || variance > growth * std::max(squares / freedom, floor2)) continue;
+    if (whole.variances[1] < flat * variance ||
+        variance > growth * std::max(squares / freedom, floor2))
+      continue;
     double cosine = 1.0;
     if (sensors.size() == 1) {
       const Eigen::Vector3d beam = tree.moments[i].mean() - to_canonical * sensors[0];

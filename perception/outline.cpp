@@ -26,9 +26,9 @@ struct Work {
   const OutlineSamples& input;
   double gate;
   Triangulation mesh;
-  std::vector<SampleKind> kind;    ///< of each sample, specks corrected
-  std::vector<double> scale;       ///< longest side that a triangle at the sample may have
-  std::vector<char> kept;          ///< triangle stands for something measured and has a corner inside
+  std::vector<SampleKind> kind;  ///< of each sample, specks corrected
+  std::vector<double> scale;     ///< longest side that a triangle at the sample may have
+  std::vector<char> kept;        ///< triangle stands for something measured and has a corner inside
   double spacing = 0.0;
 
   [[nodiscard]] bool inside(std::uint32_t s) const { return kind[s] == SampleKind::inside; }
@@ -50,7 +50,8 @@ void correct_specks(Work& work) {
   for (const Triangle& t : work.mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       seen[t[k]] = 1;
-      if (samples[t[(k + 1) % 3]].kind != SampleKind::inside || samples[t[(k + 2) % 3]].kind != SampleKind::inside) {
+      if (samples[t[(k + 1) % 3]].kind != SampleKind::inside ||
+          samples[t[(k + 2) % 3]].kind != SampleKind::inside) {
         company[t[k]] = 1;
       }
     }
@@ -68,9 +69,10 @@ void correct_specks(Work& work) {
   }
 }
 
-/// The spacing of the samples. With a view, rays are spread evenly and the median triangle tells it for the whole surface. Without,
-/// the spacing changes along the surface: median of the edges at a sample, then the median over its neighbours, so that the few long
-/// edges that span a gap do not speak for it.
+/// The spacing of the samples. With a view, rays are spread evenly and the median triangle tells it
+/// for the whole surface. Without, the spacing changes along the surface: median of the edges at a
+/// sample, then the median over its neighbours, so that the few long edges that span a gap do not
+/// speak for it.
 void measure_scale(Work& work) {
   const auto& samples = work.input.samples;
   std::vector<double> longest;
@@ -83,7 +85,8 @@ void measure_scale(Work& work) {
     for (const Triangle& t : work.mesh.triangles) longest.push_back(work.longest_side(t));
   }
   work.spacing = median(longest);
-  constexpr double bridged = 2.5;  // one missing sample between two doubles a side; two do not count as neighbours
+  constexpr double bridged =
+      2.5;  // one missing sample between two doubles a side; two do not count as neighbours
   work.scale.assign(samples.size(), bridged * work.spacing);
   if (work.input.with_view) return;
 
@@ -104,13 +107,15 @@ void measure_scale(Work& work) {
   std::vector<double> values;
   for (std::uint32_t i = 0; i < samples.size(); ++i) {
     values.clear();
-    for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) values.push_back(work.distance(i, neighbour[k]));
+    for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k)
+      values.push_back(work.distance(i, neighbour[k]));
     own[i] = median(values);
   }
   for (std::uint32_t i = 0; i < samples.size(); ++i) {
     values.clear();
     for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) values.push_back(own[neighbour[k]]);
-    if (!values.empty()) work.scale[i] = bridged * std::max(median(values), std::min(own[i], 2.0 * median(values)));
+    if (!values.empty())
+      work.scale[i] = bridged * std::max(median(values), std::min(own[i], 2.0 * median(values)));
   }
 }
 
@@ -121,7 +126,8 @@ void choose_triangles(Work& work) {
     const Triangle& t = work.mesh.triangles[n];
     const int in = work.inside(t[0]) + work.inside(t[1]) + work.inside(t[2]);
     // A thinned sample has all eight cells around it full: its triangles span nothing.
-    const bool deep = in == 3 && (samples[t[0]].thinned || samples[t[1]].thinned || samples[t[2]].thinned);
+    const bool deep =
+        in == 3 && (samples[t[0]].thinned || samples[t[1]].thinned || samples[t[2]].thinned);
     const double limit = std::max({work.scale[t[0]], work.scale[t[1]], work.scale[t[2]]});
     work.kept[n] = in > 0 && (deep || work.longest_side(t) <= limit);
   }
@@ -132,29 +138,37 @@ EdgeKind kind_between(const Work& work, std::uint32_t i, std::uint32_t j) {
   if (work.kind[j] != SampleKind::blocked) return EdgeKind::true_edge;
   const OutlineSample& in = work.input.samples[i];
   const OutlineSample& out = work.input.samples[j];
-  const Eigen::Vector3d p = work.input.T_cloud_plane * Eigen::Vector3d(in.plane.x(), in.plane.y(), 0.0);
-  // [m] how far the next sample on the plane would have been: the angle between the rays, seen on the plane.
+  const Eigen::Vector3d p =
+      work.input.T_cloud_plane * Eigen::Vector3d(in.plane.x(), in.plane.y(), 0.0);
+  // [m] how far the next sample on the plane would have been: the angle between the rays, seen on
+  // the plane.
   const Eigen::Vector2d foot = work.input.chart.sensor.head<2>();
   const double height = std::abs(work.input.chart.sensor.z());
   const double range = std::hypot((in.plane - foot).norm(), height);
   double step = work.distance(i, j) * range * range / std::max(height, 1e-9);
   if (out.reachable) step = std::min(step, (in.plane - out.plane).norm());
-  // Contact, not shadow, where the nearer thing meets this surface here: its plane passes through the edge.
+  // Contact, not shadow, where the nearer thing meets this surface here: its plane passes through
+  // the edge.
   const std::int32_t other = work.surfaces.plane_of_point[out.point];
   if (other >= 0) {
     const Plane& plane = work.surfaces.surfaces[static_cast<std::size_t>(other)].plane;
     const bool upright = std::abs(plane.normal.dot(work.input.T_cloud_plane.linear().col(2))) < 0.9;
-    return upright && std::abs(plane.normal.dot(p) - plane.offset) <= step + work.gate ? EdgeKind::true_edge : EdgeKind::occlusion;
+    return upright && std::abs(plane.normal.dot(p) - plane.offset) <= step + work.gate
+               ? EdgeKind::true_edge
+               : EdgeKind::occlusion;
   }
-  return (work.cloud.points[out.point] - p).norm() <= 2.0 * step + work.gate ? EdgeKind::true_edge : EdgeKind::occlusion;
+  return (work.cloud.points[out.point] - p).norm() <= 2.0 * step + work.gate ? EdgeKind::true_edge
+                                                                             : EdgeKind::occlusion;
 }
 
 /// Node half-way between a sample inside and one outside.
 OutlineNode middle_node(const Work& work, std::uint32_t i, std::uint32_t j) {
   const OutlineSample& in = work.input.samples[i];
   const OutlineSample& out = work.input.samples[j];
-  if (!work.input.with_view) return {0.5 * (in.plane + out.plane), 0.5 * (in.plane - out.plane).norm()};
-  // At a far, grazing edge the next ray may land metres away or never. Then half of the spacing before it has to do.
+  if (!work.input.with_view)
+    return {0.5 * (in.plane + out.plane), 0.5 * (in.plane - out.plane).norm()};
+  // At a far, grazing edge the next ray may land metres away or never. Then half of the spacing
+  // before it has to do.
   const double height = std::max(std::abs(work.input.chart.sensor.z()), 1e-9);
   const double range = std::hypot((in.plane - work.input.chart.sensor.head<2>()).norm(), height);
   const double reach = 0.75 * work.distance(i, j) * range * range / height;
@@ -169,22 +183,28 @@ OutlineNode middle_node(const Work& work, std::uint32_t i, std::uint32_t j) {
   for (double share = 0.25; share > 1e-4; share *= 0.5) {
     if (!work.input.chart.to_plane(in.chart + share * (out.chart - in.chart), near)) continue;
     const double distance = (near - in.plane).norm();
-    if (distance > 0.0) return {in.plane + (near - in.plane) * (std::min(distance, reach) / distance), reach};
+    if (distance > 0.0)
+      return {in.plane + (near - in.plane) * (std::min(distance, reach) / distance), reach};
   }
   return {in.plane, reach};
 }
 
 /// Boundary of the part inside, triangle by triangle. Nodes are made as they are met.
-std::vector<BoundarySegment> march(const Work& work, Outline& outline, std::vector<std::int32_t>& node_of_sample) {
+std::vector<BoundarySegment> march(const Work& work, Outline& outline,
+                                   std::vector<std::int32_t>& node_of_sample) {
   std::vector<char> bounding(work.input.samples.size(), 0);  // sample outside, across a true edge
   const auto& triangles = work.mesh.triangles;
   const auto& neighbours = work.mesh.neighbours;
-  const auto is_kept = [&](std::int32_t n) { return n >= 0 && work.kept[static_cast<std::size_t>(n)]; };
+  const auto is_kept = [&](std::int32_t n) {
+    return n >= 0 && work.kept[static_cast<std::size_t>(n)];
+  };
   UnionFind pieces(triangles.size());
   for (std::size_t n = 0; n < triangles.size(); ++n) {
     for (std::size_t k = 0; k < 3 && work.kept[n]; ++k) {
-      const bool wet = work.inside(triangles[n][(k + 1) % 3]) || work.inside(triangles[n][(k + 2) % 3]);
-      if (wet && is_kept(neighbours[n][k])) pieces.join(n, static_cast<std::size_t>(neighbours[n][k]));
+      const bool wet =
+          work.inside(triangles[n][(k + 1) % 3]) || work.inside(triangles[n][(k + 2) % 3]);
+      if (wet && is_kept(neighbours[n][k]))
+        pieces.join(n, static_cast<std::size_t>(neighbours[n][k]));
     }
   }
   constexpr std::uint32_t none = 0xffffffffU;
@@ -206,7 +226,8 @@ std::vector<BoundarySegment> march(const Work& work, Outline& outline, std::vect
       const std::int32_t m = neighbours[n][k];
       if (m >= 0) {
         for (std::size_t l = 0; l < 3; ++l) {
-          if (neighbours[static_cast<std::size_t>(m)][l] == static_cast<std::int32_t>(n)) middle[static_cast<std::size_t>(m)][l] = middle[n][k];
+          if (neighbours[static_cast<std::size_t>(m)][l] == static_cast<std::int32_t>(n))
+            middle[static_cast<std::size_t>(m)][l] = middle[n][k];
         }
       }
     }
@@ -218,7 +239,7 @@ std::vector<BoundarySegment> march(const Work& work, Outline& outline, std::vect
     if (!work.kept[n]) continue;
     const Triangle& t = triangles[n];
     const auto piece = static_cast<std::uint32_t>(pieces.root(n));
-    std::uint32_t leave = none;   // where the outline goes from inside to outside, and comes back
+    std::uint32_t leave = none;  // where the outline goes from inside to outside, and comes back
     std::uint32_t enter = none;
     std::size_t from = 0;
     std::size_t to = 0;
@@ -239,7 +260,8 @@ std::vector<BoundarySegment> march(const Work& work, Outline& outline, std::vect
       }
     }
     if (leave == none) continue;
-    // Of two pairs the one with the farther view decides: a passed ray is certain, a blocked one is not.
+    // Of two pairs the one with the farther view decides: a passed ray is certain, a blocked one is
+    // not.
     const EdgeKind first = kind_between(work, t[(from + 1) % 3], t[(from + 2) % 3]);
     const EdgeKind second = kind_between(work, t[(to + 2) % 3], t[(to + 1) % 3]);
     const bool real = first == EdgeKind::true_edge || second == EdgeKind::true_edge;
@@ -249,22 +271,28 @@ std::vector<BoundarySegment> march(const Work& work, Outline& outline, std::vect
   }
   for (std::size_t s = 0; s < bounding.size(); ++s) {
     const OutlineSample& sample = work.input.samples[s];
-    if (work.kind[s] == SampleKind::inside && !sample.thinned) outline.inside.push_back(sample.plane);
+    if (work.kind[s] == SampleKind::inside && !sample.thinned)
+      outline.inside.push_back(sample.plane);
     if (bounding[s] && sample.reachable) outline.beyond.push_back(sample.plane);
   }
   return segments;
 }
 
-/// Samples that border on nothing seen stand for their whole cell, half of which lies beyond the triangles: along the outline each is
-/// moved outwards by half of a cell's area over the length of outline that is its share. For rows along an edge that is half a spacing;
-/// where the outline cuts corners of the lattice it is less. The area of the outline is then that of all cells, without bias.
-void widen_open_edges(const Work& work, const std::vector<std::int32_t>& node_of_sample, Outline& outline) {
+/// Samples that border on nothing seen stand for their whole cell, half of which lies beyond the
+/// triangles: along the outline each is moved outwards by half of a cell's area over the length of
+/// outline that is its share. For rows along an edge that is half a spacing; where the outline cuts
+/// corners of the lattice it is less. The area of the outline is then that of all cells, without
+/// bias.
+void widen_open_edges(const Work& work, const std::vector<std::int32_t>& node_of_sample,
+                      Outline& outline) {
   const auto& samples = work.input.samples;
   std::vector<std::int32_t> sample_of_node(outline.nodes.size(), -1);
   for (std::size_t s = 0; s < samples.size(); ++s) {
-    if (node_of_sample[s] >= 0) sample_of_node[static_cast<std::size_t>(node_of_sample[s])] = static_cast<std::int32_t>(s);
+    if (node_of_sample[s] >= 0)
+      sample_of_node[static_cast<std::size_t>(node_of_sample[s])] = static_cast<std::int32_t>(s);
   }
-  // Two triangles make a cell. Of the triangles at a sample and at its neighbours, so that a few slivers do not decide.
+  // Two triangles make a cell. Of the triangles at a sample and at its neighbours, so that a few
+  // slivers do not decide.
   std::vector<double> area(samples.size(), 0.0);
   std::vector<int> count(samples.size(), 0);
   for (std::size_t n = 0; n < work.mesh.triangles.size(); ++n) {
@@ -304,7 +332,8 @@ void widen_open_edges(const Work& work, const std::vector<std::int32_t>& node_of
       const double length = along.norm();
       const double share = 0.5 * ((after - here).norm() + (here - before).norm());
       if (length == 0.0 || share == 0.0) continue;
-      const Eigen::Vector2d outward(along.y() / length, -along.x() / length);  // the region lies on the left
+      const Eigen::Vector2d outward(along.y() / length,
+                                    -along.x() / length);  // the region lies on the left
       const double whole = 2.0 * cell[s] / cell_count[s];
       const double half = std::min(0.5 * whole / share, 0.75 * share);
       outline.nodes[node].half_gap = std::max(half, 0.5 * std::sqrt(whole));
@@ -316,8 +345,8 @@ void widen_open_edges(const Work& work, const std::vector<std::int32_t>& node_of
 
 }  // namespace
 
-Outline find_outline(const PointCloud& cloud, const Surfaces& surfaces, const Surface& surface, const OutlineSamples& samples,
-                     double gate) {
+Outline find_outline(const PointCloud& cloud, const Surfaces& surfaces, const Surface& surface,
+                     const OutlineSamples& samples, double gate) {
   Work work{cloud, surfaces, surface, samples, gate, {}, {}, {}, {}, 0.0};
   std::vector<Eigen::Vector2d> chart(samples.samples.size());
   for (std::size_t i = 0; i < chart.size(); ++i) chart[i] = samples.samples[i].chart;

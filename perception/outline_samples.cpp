@@ -15,7 +15,8 @@ void sort_samples(std::vector<OutlineSample>& samples) {
   });
 }
 
-/// Marks on the cells of a view that cost nothing to wipe: a cell is marked if it holds the number of the current round.
+/// Marks on the cells of a view that cost nothing to wipe: a cell is marked if it holds the number
+/// of the current round.
 struct CellMarks {
   std::vector<std::uint32_t> round_of;
   std::uint32_t round = 0;
@@ -33,8 +34,10 @@ struct CellMarks {
   }
 };
 
-/// Axis for the chart: of a few candidates the one from which the inliers lie nearest, so that the projection stretches least.
-Eigen::Vector3d chart_axis(const std::vector<Eigen::Vector3d>& directions, const Eigen::Vector3d& towards_plane) {
+/// Axis for the chart: of a few candidates the one from which the inliers lie nearest, so that the
+/// projection stretches least.
+Eigen::Vector3d chart_axis(const std::vector<Eigen::Vector3d>& directions,
+                           const Eigen::Vector3d& towards_plane) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const auto& d : directions) mean += d;
   if (mean.norm() < 1e-6 * static_cast<double>(directions.size())) mean = towards_plane;
@@ -64,7 +67,8 @@ bool SurfaceChart::to_plane(const Eigen::Vector2d& point, Eigen::Vector2d& plane
   return plane.allFinite();
 }
 
-OutlineSamples samples_without_view(const FlatPoints& flat, const Eigen::Isometry3d& T_cloud_plane) {
+OutlineSamples samples_without_view(const FlatPoints& flat,
+                                    const Eigen::Isometry3d& T_cloud_plane) {
   OutlineSamples result;
   result.T_cloud_plane = T_cloud_plane;
   result.samples.resize(flat.points.size());
@@ -77,7 +81,8 @@ OutlineSamples samples_without_view(const FlatPoints& flat, const Eigen::Isometr
   return result;  // flat points are sorted already
 }
 
-OutlineSamples samples_with_view(const PointCloud& cloud, const ShapeView& view, const Surfaces& surfaces, const Surface& surface,
+OutlineSamples samples_with_view(const PointCloud& cloud, const ShapeView& view,
+                                 const Surfaces& surfaces, const Surface& surface,
                                  const Eigen::Isometry3d& T_cloud_plane, double gate) {
   OutlineSamples result;
   result.with_view = true;
@@ -85,7 +90,8 @@ OutlineSamples samples_with_view(const PointCloud& cloud, const ShapeView& view,
   const Eigen::Matrix3d R = T_cloud_plane.linear().transpose();
   SurfaceChart& chart = result.chart;
   chart.sensor = R * (view.sensor() - T_cloud_plane.translation());
-  const double side = chart.sensor.z() >= 0.0 ? 1.0 : -1.0;  // on which side of the plane the sensor stands
+  const double side =
+      chart.sensor.z() >= 0.0 ? 1.0 : -1.0;  // on which side of the plane the sensor stands
 
   // Cells of the surface; those whose whole surroundings belong to it are deep inside.
   static thread_local CellMarks marks;
@@ -124,7 +130,8 @@ OutlineSamples samples_with_view(const PointCloud& cloud, const ShapeView& view,
     for (const std::uint32_t i : points) {
       const auto& p = cloud.points[i];
       const auto& q = cloud.points[best];
-      if (p.x() < q.x() || (p.x() == q.x() && (p.y() < q.y() || (p.y() == q.y() && p.z() < q.z())))) best = i;
+      if (p.x() < q.x() || (p.x() == q.x() && (p.y() < q.y() || (p.y() == q.y() && p.z() < q.z()))))
+        best = i;
     }
     taken.push_back(best);
     thinned.push_back(1);
@@ -152,11 +159,14 @@ OutlineSamples samples_with_view(const PointCloud& cloud, const ShapeView& view,
     s.reachable = t > 0.0 && std::isfinite(t);
     if (s.reachable) s.plane = chart.sensor.head<2>() + t * d.head<2>();
     if (plane == surface.id) {
-      if (!s.reachable) continue;  // an inlier on the sensor's horizon says nothing about the outline
+      if (!s.reachable)
+        continue;  // an inlier on the sensor's horizon says nothing about the outline
       s.kind = SampleKind::inside;
       inlier_directions.push_back(s.metric);
     } else if (std::abs(p.z()) <= gate) {
-      if (plane < 0) continue;  // of this surface as far as anyone can tell, but not claimed: no evidence either way
+      if (plane < 0)
+        continue;  // of this surface as far as anyone can tell, but not claimed: no evidence either
+                   // way
       s.kind = SampleKind::beside;
     } else {
       s.kind = side * p.z() < 0.0 ? SampleKind::passed : SampleKind::blocked;
@@ -165,20 +175,25 @@ OutlineSamples samples_with_view(const PointCloud& cloud, const ShapeView& view,
   }
   if (inlier_directions.empty()) return result;
 
-  std::sort(inlier_directions.begin(), inlier_directions.end(), [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-  });
+  std::sort(inlier_directions.begin(), inlier_directions.end(),
+            [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+              return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+            });
   const Eigen::Vector3d a = chart_axis(inlier_directions, {0.0, 0.0, -side});
-  // e1 x e2 = -a where the sensor looks against the normal, so that counter-clockwise is the same in the chart and in the plane.
-  const Eigen::Vector3d helper = std::abs(a.x()) < 0.7 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
+  // e1 x e2 = -a where the sensor looks against the normal, so that counter-clockwise is the same
+  // in the chart and in the plane.
+  const Eigen::Vector3d helper =
+      std::abs(a.x()) < 0.7 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
   const Eigen::Vector3d e1 = (helper - helper.dot(a) * a).normalized();
   const Eigen::Vector3d e2 = -side * a.cross(e1);
   chart.axes.row(0) = e1;
   chart.axes.row(1) = e2;
   chart.axes.row(2) = a;
-  constexpr double horizon = 0.02;  // cosine of about 89 degrees from the axis: beyond it the projection has no room
+  constexpr double horizon =
+      0.02;  // cosine of about 89 degrees from the axis: beyond it the projection has no room
   std::erase_if(samples, [&](const OutlineSample& s) { return a.dot(s.metric) < horizon; });
-  for (OutlineSample& s : samples) s.chart = Eigen::Vector2d(e1.dot(s.metric), e2.dot(s.metric)) / a.dot(s.metric);
+  for (OutlineSample& s : samples)
+    s.chart = Eigen::Vector2d(e1.dot(s.metric), e2.dot(s.metric)) / a.dot(s.metric);
   sort_samples(samples);
   return result;
 }

@@ -23,17 +23,21 @@ struct CloudAdaptor {
     return false;
   }
 };
-using KdTree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, CloudAdaptor>,
-                                                   CloudAdaptor, 3, std::uint32_t>;
+using KdTree =
+    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, CloudAdaptor>,
+                                        CloudAdaptor, 3, std::uint32_t>;
 
-// The neighbours of every point, nearest first: "stored using a priority queue, ordered according to the distance".
+// The neighbours of every point, nearest first: "stored using a priority queue, ordered according
+// to the distance".
 struct NeighbourQueues {
   std::size_t k = 0;
   std::vector<std::uint32_t> point;
   std::vector<float> distance2;
 
   NeighbourQueues(const CanonicalCloud& cloud, std::size_t neighbours)
-      : k(std::min(neighbours + 1, cloud.size())), point(cloud.size() * k), distance2(cloud.size() * k) {
+      : k(std::min(neighbours + 1, cloud.size())),
+        point(cloud.size() * k),
+        distance2(cloud.size() * k) {
     const CloudAdaptor adaptor{cloud};
     const KdTree tree(3, adaptor, nanoflann::KDTreeSingleIndexAdaptorParams(16));
     for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -53,7 +57,8 @@ struct Candidate {
 };
 using Front = std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>>;
 
-// "Select random seed point": the points in an order drawn from the seed, by their place in the canonical cloud.
+// "Select random seed point": the points in an order drawn from the seed, by their place in the
+// canonical cloud.
 std::vector<std::uint32_t> random_order(std::size_t count, std::uint64_t seed) {
   const CounterRandom random(stream_seed(seed, "paper seeds"));
   std::vector<std::uint64_t> draw(count);

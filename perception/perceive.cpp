@@ -10,13 +10,15 @@ void PerceiveOptions::describe(OptionList& list) {
   list.add("noise_sigma", noise_sigma, "m",
            "standard deviation of the sensor's range noise; 0: estimated from the cloud", 0.0, 1.0);
   list.add("body_radius", body_radius, "m",
-           "returns nearer to a known sensor are its own body; -1: found from the cloud, 0: none", -1.0, 10.0);
+           "returns nearer to a known sensor are its own body; -1: found from the cloud, 0: none",
+           -1.0, 10.0);
   list.add("shapes", shapes, "outlines, rectangles and features too; false: stop after the planes");
 }
 
 Surfaces perceive(const PointCloud& cloud, const PerceiveOptions& options) {
-  Surfaces surfaces = find_planes(cloud, options);             // section 2: KNN search, region growing
-  if (options.shapes) find_shapes(cloud, options, surfaces);   // section 2: alpha shapes to form features
+  Surfaces surfaces = find_planes(cloud, options);  // section 2: KNN search, region growing
+  if (options.shapes)
+    find_shapes(cloud, options, surfaces);  // section 2: alpha shapes to form features
   return surfaces;
 }
 

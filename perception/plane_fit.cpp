@@ -17,28 +17,32 @@ bool faces_away(const Eigen::Vector3d& normal, const Eigen::Vector3d& centroid,
     normal.cwiseAbs().maxCoeff(&largest);
     return normal[largest] < 0.0;
   }
-  const auto nearest = std::min_element(sensors.begin(), sensors.end(), [&](const auto& a, const auto& b) {
-    return (a - centroid).squaredNorm() < (b - centroid).squaredNorm();
-  });
+  const auto nearest =
+      std::min_element(sensors.begin(), sensors.end(), [&](const auto& a, const auto& b) {
+        return (a - centroid).squaredNorm() < (b - centroid).squaredNorm();
+      });
   return normal.dot(*nearest - centroid) < 0.0;
 }
 
 }  // namespace
 
-Plane plane_from_moments(const Moments& moments, const MomentPlane& fit, const Eigen::Vector3d& origin,
-                         const std::vector<Eigen::Vector3d>& sensors, double noise_floor) {
+Plane plane_from_moments(const Moments& moments, const MomentPlane& fit,
+                         const Eigen::Vector3d& origin, const std::vector<Eigen::Vector3d>& sensors,
+                         double noise_floor) {
   Plane plane;
   plane.centroid = origin + moments.mean();
   const double n = moments.n;
   const double unbiased = n > 3.0 ? n / (n - 3.0) : n;
   const double variance = std::max(fit.variances[0] * unbiased, noise_floor * noise_floor);
-  plane.normal = faces_away(fit.normal, plane.centroid, sensors) ? Eigen::Vector3d(-fit.normal) : fit.normal;
+  plane.normal =
+      faces_away(fit.normal, plane.centroid, sensors) ? Eigen::Vector3d(-fit.normal) : fit.normal;
   plane.offset = plane.normal.dot(plane.centroid);
   plane.residual_sigma = std::sqrt(variance);
   plane.centroid_sigma = std::sqrt(variance / n);
   for (int axis = 1; axis <= 2; ++axis) {
     // Points on a line leave the tilt about that line open: a quarter turn is all that can be said.
-    // The spread along the plane holds noise too, which says nothing about the tilt (T. W. Anderson, Ann. Math. Statist. 34, 1963).
+    // The spread along the plane holds noise too, which says nothing about the tilt (T. W.
+    // Anderson, Ann. Math. Statist. 34, 1963).
     const double spread = std::max(fit.variances[axis], 1e-30);
     const double known = std::max(spread - fit.variances[0], 1e-30);
     const double tilt = std::min(variance * spread / (n * known * known), 2.4674);
@@ -47,10 +51,12 @@ Plane plane_from_moments(const Moments& moments, const MomentPlane& fit, const E
   return plane;
 }
 
-Plane fit_plane(const std::vector<Eigen::Vector3d>& points, const std::vector<std::uint32_t>& inliers,
+Plane fit_plane(const std::vector<Eigen::Vector3d>& points,
+                const std::vector<std::uint32_t>& inliers,
                 const std::vector<Eigen::Vector3d>& sensors, double noise_floor) {
   assert(!inliers.empty());
-  // Twice: the second pass sums about the mean, so that nothing cancels on long, thin, exactly flat patches.
+  // Twice: the second pass sums about the mean, so that nothing cancels on long, thin, exactly flat
+  // patches.
   const Eigen::Vector3d first = points[inliers[0]];
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const auto i : inliers) sum += points[i] - first;
@@ -94,25 +100,30 @@ void BendTest::add(double u, double v, double w) {
 }
 
 double BendTest::confidence(double noise_floor) const {
-  if (n_ < 8.0) return n_ / 16.0;  // six numbers are fitted below: with fewer points nothing can be said
+  if (n_ < 8.0)
+    return n_ / 16.0;  // six numbers are fitted below: with fewer points nothing can be said
   constexpr int order_u[6] = {0, 1, 0, 2, 1, 0}, order_v[6] = {0, 0, 1, 0, 1, 2};
   Eigen::Matrix<double, 6, 6> normal_matrix;
   Eigen::Matrix<double, 6, 1> right, scale;
   for (int k = 0; k < 6; ++k) {
     right[k] = right_[k];
     scale[k] = 1.0 / std::sqrt(std::max(power_[2 * order_u[k]][2 * order_v[k]], 1e-300));
-    for (int l = 0; l < 6; ++l) normal_matrix(k, l) = power_[order_u[k] + order_u[l]][order_v[k] + order_v[l]];
+    for (int l = 0; l < 6; ++l)
+      normal_matrix(k, l) = power_[order_u[k] + order_u[l]][order_v[k] + order_v[l]];
   }
   normal_matrix = scale.asDiagonal() * normal_matrix * scale.asDiagonal();  // columns of length one
   right = scale.cwiseProduct(right);
   const double explained = std::clamp(normal_matrix.ldlt().solve(right).dot(right), 0.0, total_);
   const double floor2 = std::max(noise_floor * noise_floor, 1e-18);
   const double left = std::max((total_ - explained) / std::max(n_ - 6.0, 1.0), floor2);
-  // Noise alone explains 3 of n degrees of freedom, with a standard deviation of sqrt(6): chi-square.
+  // Noise alone explains 3 of n degrees of freedom, with a standard deviation of sqrt(6):
+  // chi-square.
   const double bend = std::max(0.0, explained / n_ - left * (3.0 + 2.0 * std::sqrt(6.0)) / n_);
-  // What the sensor's own systematic error may do: a sagitta s over [-h, h] has the mean square (0.298 s)^2.
+  // What the sensor's own systematic error may do: a sagitta s over [-h, h] has the mean square
+  // (0.298 s)^2.
   const double u2 = power_[2][0] / n_, v2 = power_[0][2] / n_;
-  const double sagitta = std::min(systematic_error, systematic_bend * std::sqrt(3.0 * std::min(u2, v2)));
+  const double sagitta =
+      std::min(systematic_error, systematic_bend * std::sqrt(3.0 * std::min(u2, v2)));
   const double ratio = bend / (0.16 * left + 0.0888 * sagitta * sagitta);
   return 1.0 / (1.0 + ratio * ratio);
 }

@@ -68,7 +68,8 @@ PointPool point_pool(const CanonicalCloud& cloud, const CellTree& tree, const Pl
       const auto code = codes[static_cast<std::size_t>(k)];
       touch(code);
       const auto at = pool.tree.find(code, cell.level, never);
-      if (at == CellTree::none || pool.tree.cells[at].children != 0) continue;  // smaller ones link to this one
+      if (at == CellTree::none || pool.tree.cells[at].children != 0)
+        continue;  // smaller ones link to this one
       if (pool.tree.cells[at].level == cell.level) {
         links.push_back({l, leaf_of_cell[at]});  // and it links back when its turn comes
       } else if (std::find(coarse.begin(), coarse.end(), at) == coarse.end()) {

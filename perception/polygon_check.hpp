@@ -7,10 +7,12 @@
 
 namespace scanchor {
 
-/// No two edges touch but neighbours in their common vertex, and no vertex comes twice. O(n log n) for rings that are not wildly jagged.
+/// No two edges touch but neighbours in their common vertex, and no vertex comes twice. O(n log n)
+/// for rings that are not wildly jagged.
 bool is_simple(const Ring& ring);
 
-/// All rings simple, no two of them touch or cross, the outer one counter-clockwise, holes clockwise and inside it.
+/// All rings simple, no two of them touch or cross, the outer one counter-clockwise, holes
+/// clockwise and inside it.
 bool is_valid(const Polygon& polygon);
 
 /// Even-odd rule; points on the border may go either way.

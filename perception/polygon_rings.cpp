@@ -17,13 +17,15 @@ double left_turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 }
 
 /// Rotates the ring so that it begins at its smallest node, and measures it.
-BoundaryRing finish(const std::vector<Eigen::Vector2d>& nodes, std::vector<std::uint32_t> ring_nodes,
-                    std::vector<EdgeKind> kinds, std::uint32_t component) {
+BoundaryRing finish(const std::vector<Eigen::Vector2d>& nodes,
+                    std::vector<std::uint32_t> ring_nodes, std::vector<EdgeKind> kinds,
+                    std::uint32_t component) {
   std::size_t first = 0;
   for (std::size_t i = 1; i < ring_nodes.size(); ++i) {
     if (before(nodes[ring_nodes[i]], nodes[ring_nodes[first]])) first = i;
   }
-  std::rotate(ring_nodes.begin(), ring_nodes.begin() + static_cast<std::ptrdiff_t>(first), ring_nodes.end());
+  std::rotate(ring_nodes.begin(), ring_nodes.begin() + static_cast<std::ptrdiff_t>(first),
+              ring_nodes.end());
   std::rotate(kinds.begin(), kinds.begin() + static_cast<std::ptrdiff_t>(first), kinds.end());
   Ring ring(ring_nodes.size());
   for (std::size_t i = 0; i < ring.size(); ++i) ring[i] = nodes[ring_nodes[i]];
@@ -45,7 +47,7 @@ std::vector<BoundaryRing> chain_rings(const std::vector<Eigen::Vector2d>& nodes,
   std::vector<char> used(segments.size(), 0);
   std::vector<std::int32_t> place(nodes.size(), -1);  // of a node in the path, -1: not in it
   std::vector<BoundaryRing> rings;
-  std::vector<std::uint32_t> path;       // segments walked and not yet closed to a ring
+  std::vector<std::uint32_t> path;  // segments walked and not yet closed to a ring
   for (std::uint32_t start = 0; start < segments.size(); ++start) {
     if (used[start]) continue;
     path.clear();
@@ -65,7 +67,8 @@ std::vector<BoundaryRing> chain_rings(const std::vector<Eigen::Vector2d>& nodes,
           place[segments[path[i]].from] = -1;
         }
         if (ring_nodes.size() >= 3) {
-          rings.push_back(finish(nodes, std::move(ring_nodes), std::move(kinds), segments[path[cut]].component));
+          rings.push_back(finish(nodes, std::move(ring_nodes), std::move(kinds),
+                                 segments[path[cut]].component));
         }
         path.resize(cut);
         if (path.empty()) break;
@@ -95,7 +98,8 @@ std::vector<BoundaryRing> chain_rings(const std::vector<Eigen::Vector2d>& nodes,
   return rings;
 }
 
-std::vector<Polygon> rings_to_polygons(const std::vector<Eigen::Vector2d>& nodes, const std::vector<BoundaryRing>& rings) {
+std::vector<Polygon> rings_to_polygons(const std::vector<Eigen::Vector2d>& nodes,
+                                       const std::vector<BoundaryRing>& rings) {
   std::vector<Polygon> polygons;
   std::uint32_t component = 0;
   for (const BoundaryRing& ring : rings) {

@@ -9,7 +9,8 @@
 
 namespace scanchor {
 
-/// A piece of boundary with the region on its left. `component`: which edge-connected piece of the region it bounds.
+/// A piece of boundary with the region on its left. `component`: which edge-connected piece of the
+/// region it bounds.
 struct BoundarySegment {
   std::uint32_t from = 0;
   std::uint32_t to = 0;
@@ -17,7 +18,8 @@ struct BoundarySegment {
   EdgeKind kind = EdgeKind::unknown;
 };
 
-/// A closed ring of nodes, each at most once; kinds[i] is of the edge from nodes[i] to nodes[i + 1].
+/// A closed ring of nodes, each at most once; kinds[i] is of the edge from nodes[i] to nodes[i +
+/// 1].
 struct BoundaryRing {
   std::vector<std::uint32_t> nodes;
   std::vector<EdgeKind> kinds;
@@ -25,13 +27,15 @@ struct BoundaryRing {
   double area = 0.0;  ///< [m2] signed: outer rings positive, holes negative
 };
 
-/// Chains segments into rings. Where several rings meet in one node they are cut apart there, so that each ring is simple as long as
-/// no two segments cross. Every node must have as many arriving as leaving segments. Rings begin at their smallest node by (x, y) and
-/// come sorted by component, then by falling area, then by that node: the sequence of the input does not matter.
+/// Chains segments into rings. Where several rings meet in one node they are cut apart there, so
+/// that each ring is simple as long as no two segments cross. Every node must have as many arriving
+/// as leaving segments. Rings begin at their smallest node by (x, y) and come sorted by component,
+/// then by falling area, then by that node: the sequence of the input does not matter.
 std::vector<BoundaryRing> chain_rings(const std::vector<Eigen::Vector2d>& nodes,
                                       const std::vector<BoundarySegment>& segments);
 
 /// The polygons of the rings as they are: one a component, largest first, its holes behind it.
-std::vector<Polygon> rings_to_polygons(const std::vector<Eigen::Vector2d>& nodes, const std::vector<BoundaryRing>& rings);
+std::vector<Polygon> rings_to_polygons(const std::vector<Eigen::Vector2d>& nodes,
+                                       const std::vector<BoundaryRing>& rings);
 
 }  // namespace scanchor

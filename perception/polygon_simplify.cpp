@@ -7,7 +7,8 @@
 namespace scanchor {
 namespace {
 
-double distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+double distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
+                           const Eigen::Vector2d& b) {
   const Eigen::Vector2d d = b - a;
   const double squared = d.squaredNorm();
   const double t = squared > 0.0 ? std::clamp((p - a).dot(d) / squared, 0.0, 1.0) : 0.0;
@@ -18,8 +19,8 @@ struct Line {
   Eigen::Vector2d point, direction;
 };
 
-/// Line through the vertices from..to (around the ring) by total least squares, without the two at the corners, which belong to the
-/// neighbours as much; nothing if fewer than four are left.
+/// Line through the vertices from..to (around the ring) by total least squares, without the two at
+/// the corners, which belong to the neighbours as much; nothing if fewer than four are left.
 std::optional<Line> fit_line(const Ring& ring, std::uint32_t from, std::uint32_t to) {
   const auto n = static_cast<std::uint32_t>(ring.size());
   const std::uint32_t steps = (to + n - from) % n;
@@ -52,14 +53,16 @@ std::vector<std::uint32_t> simplify(const RoughRing& ring) {
     for (std::uint32_t i = 0; i < n; ++i) kept.push_back(i);
     return kept;
   }
-  // Two vertices that are corners for certain: the farthest from the middle, and the farthest from that.
+  // Two vertices that are corners for certain: the farthest from the middle, and the farthest from
+  // that.
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   for (const auto& p : ring.points) middle += p;
   middle /= n;
   const auto farthest = [&](const Eigen::Vector2d& from) {
     std::uint32_t best = 0;
     for (std::uint32_t i = 1; i < n; ++i) {
-      if ((ring.points[i] - from).squaredNorm() > (ring.points[best] - from).squaredNorm()) best = i;
+      if ((ring.points[i] - from).squaredNorm() > (ring.points[best] - from).squaredNorm())
+        best = i;
     }
     return best;
   };

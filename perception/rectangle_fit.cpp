@@ -9,10 +9,10 @@
 namespace scanchor {
 namespace {
 
-constexpr int bins = 48;           // positions of a side that are tried at once
-constexpr int directions = 13;     // directions that are tried at once
-constexpr int rounds = 3;          // each looks closer at where the one before found weight
-constexpr double wrong = 0.01;     // share of samples that belong to the other side of the edge
+constexpr int bins = 48;        // positions of a side that are tried at once
+constexpr int directions = 13;  // directions that are tried at once
+constexpr int rounds = 3;       // each looks closer at where the one before found weight
+constexpr double wrong = 0.01;  // share of samples that belong to the other side of the edge
 
 using Histogram = std::array<double, bins>;
 
@@ -35,8 +35,12 @@ double trust(EdgeKind kind) {
 double main_direction(const std::vector<OutlineEdge>& edges) {
   double best = 0.0;
   double best_score = -1.0;
-  const auto angle_of = [](const OutlineEdge& e) { return std::atan2(e.to.y() - e.from.y(), e.to.x() - e.from.x()); };
-  const auto blur = [](const OutlineEdge& e, double length) { return std::max(radians(2.0), e.gap / length); };
+  const auto angle_of = [](const OutlineEdge& e) {
+    return std::atan2(e.to.y() - e.from.y(), e.to.x() - e.from.x());
+  };
+  const auto blur = [](const OutlineEdge& e, double length) {
+    return std::max(radians(2.0), e.gap / length);
+  };
   for (const OutlineEdge& candidate : edges) {
     const double length = (candidate.to - candidate.from).norm();
     if (length < 2.0 * candidate.gap || length == 0.0) continue;
@@ -54,8 +58,8 @@ double main_direction(const std::vector<OutlineEdge>& edges) {
       best = angle_of(candidate);
     }
   }
-  // An edge of length l with errors of size g at its ends knows its direction to about g / l; weights are lengths to the third,
-  // for the number of samples along it grows with l as well.
+  // An edge of length l with errors of size g at its ends knows its direction to about g / l;
+  // weights are lengths to the third, for the number of samples along it grows with l as well.
   double sum = 0.0;
   double weight = 0.0;
   for (const OutlineEdge& e : edges) {
@@ -70,16 +74,17 @@ double main_direction(const std::vector<OutlineEdge>& edges) {
 
 /// One of the four sides. Position is the distance from the middle along the outward normal.
 struct Side {
-  double turn = 0.0;       ///< of the outward normal against the main direction: 0, 90, 180, 270 degrees
-  double position = 0.0;   ///< [m] first guess
-  double gap = 0.0;        ///< [m] width of the uncertainty
-  double waver = 0.0;      ///< [m] rms of the raw outline about it
+  double turn = 0.0;  ///< of the outward normal against the main direction: 0, 90, 180, 270 degrees
+  double position = 0.0;         ///< [m] first guess
+  double gap = 0.0;              ///< [m] width of the uncertainty
+  double waver = 0.0;            ///< [m] rms of the raw outline about it
   double low = 0.0, high = 0.0;  ///< [m] extent along the side
   double support = 0.0;
   bool censored = false;
 };
 
-/// Finds the first guess of a side: walking inwards from the outermost edge that faces this way until a tenth of the side is met.
+/// Finds the first guess of a side: walking inwards from the outermost edge that faces this way
+/// until a tenth of the side is met.
 void guess_side(const std::vector<OutlineEdge>& edges, double direction, Side& side) {
   const Eigen::Vector2d normal = unit(direction + side.turn);
   const Eigen::Vector2d along(-normal.y(), normal.x());
@@ -98,7 +103,8 @@ void guess_side(const std::vector<OutlineEdge>& edges, double direction, Side& s
     side.low = std::min(side.low, e.from.dot(along));
     side.high = std::max(side.high, e.from.dot(along));
     const Eigen::Vector2d outward(d.y(), -d.x());
-    if (outward.dot(normal) > 0.85 * length) facing.push_back({0.5 * (e.from + e.to).dot(normal), length, e.gap, e.waver, e.kind});
+    if (outward.dot(normal) > 0.85 * length)
+      facing.push_back({0.5 * (e.from + e.to).dot(normal), length, e.gap, e.waver, e.kind});
   }
   std::sort(facing.begin(), facing.end(), [](const Facing& a, const Facing& b) {
     return a.position != b.position ? a.position > b.position : a.length > b.length;
@@ -111,7 +117,8 @@ void guess_side(const std::vector<OutlineEdge>& edges, double direction, Side& s
     met += facing[i].length;
     if (facing[i].kind == EdgeKind::true_edge) met_real += facing[i].length;
     at = i;
-    // The corner that looks out of a shadow is short, but a true edge of three samples is no accident.
+    // The corner that looks out of a shadow is short, but a true edge of three samples is no
+    // accident.
     if (met >= 0.1 * extent || met_real >= std::max(3.0 * facing[i].gap, 0.03 * extent)) break;
   }
   if (at == facing.size()) {
@@ -148,10 +155,12 @@ void normal_bins(Histogram& h) {
   for (double& x : h) x /= total;
 }
 
-/// Likelihood of each position of a side at one direction, scaled to a greatest value of 1; returns the logarithm of that scale.
+/// Likelihood of each position of a side at one direction, scaled to a greatest value of 1; returns
+/// the logarithm of that scale.
 class SideLikelihood {
  public:
-  SideLikelihood(const Side& side, double sigma, const RectangleEvidence& evidence, const Eigen::Vector2d& middle, double direction)
+  SideLikelihood(const Side& side, double sigma, const RectangleEvidence& evidence,
+                 const Eigen::Vector2d& middle, double direction)
       : sigma_(sigma) {
     const Eigen::Vector2d normal = unit(direction + side.turn);
     const Eigen::Vector2d along(-normal.y(), normal.x());
@@ -159,7 +168,8 @@ class SideLikelihood {
     const double extent = side.high - side.low;
     const double margin = std::min(0.25 * extent, std::max(side.gap, 0.02 * extent));
     const double centre = along.dot(middle);
-    const auto take = [&](const std::vector<Eigen::Vector2d>& from, double inwards, std::vector<Eigen::Vector2d>& to) {
+    const auto take = [&](const std::vector<Eigen::Vector2d>& from, double inwards,
+                          std::vector<Eigen::Vector2d>& to) {
       for (const auto& p : from) {
         const double t = p.dot(along);
         if (t < side.low + margin || t > side.high - margin) continue;
@@ -175,30 +185,36 @@ class SideLikelihood {
 
   [[nodiscard]] bool informed() const { return !inside_.empty() && !outside_.empty(); }
 
-  /// Positions start + (k + 1/2) step of the side, turned by `turn` [rad] against the main direction.
+  /// Positions start + (k + 1/2) step of the side, turned by `turn` [rad] against the main
+  /// direction.
   double operator()(double turn, double start, double step, Histogram& likelihood) const {
     // ln P(found inside | the edge lies z bins further out), for z = -window .. window.
     const int window = std::clamp(static_cast<int>(std::ceil(4.0 * sigma_ / step)), 0, bins);
     std::array<double, 2 * bins + 1> soft{};
     for (int z = -window; z <= window; ++z) {
-      const double p = sigma_ > 0.0 ? normal_cdf(z * step / sigma_) : (z == 0 ? 0.5 : (z > 0 ? 1.0 : 0.0));
+      const double p =
+          sigma_ > 0.0 ? normal_cdf(z * step / sigma_) : (z == 0 ? 0.5 : (z > 0 ? 1.0 : 0.0));
       soft[static_cast<std::size_t>(z + window)] = std::log(wrong + (1.0 - 2.0 * wrong) * p);
     }
     Histogram in{};
     Histogram out{};
-    double in_far = 0.0;   // beyond the last bin: wrong for every position
+    double in_far = 0.0;  // beyond the last bin: wrong for every position
     double out_near = 0.0;
     const double c = std::cos(turn);
     const double s = std::sin(turn);
     for (const auto& p : inside_) {
       const double x = (c * p.x() + s * p.y() - start) / step;
-      if (x >= bins) in_far += 1.0;
-      else if (x >= 0.0) in[static_cast<std::size_t>(x)] += 1.0;
+      if (x >= bins)
+        in_far += 1.0;
+      else if (x >= 0.0)
+        in[static_cast<std::size_t>(x)] += 1.0;
     }
     for (const auto& p : outside_) {
       const double x = (c * p.x() + s * p.y() - start) / step;
-      if (x < 0.0) out_near += 1.0;
-      else if (x < bins) out[static_cast<std::size_t>(x)] += 1.0;
+      if (x < 0.0)
+        out_near += 1.0;
+      else if (x < bins)
+        out[static_cast<std::size_t>(x)] += 1.0;
     }
     const double bad = std::log(wrong);
     const double good = std::log(1.0 - wrong);
@@ -222,7 +238,8 @@ class SideLikelihood {
       const int last = std::min(bins - 1, k + window);
       const double in_below = first > 0 ? prefix_in[static_cast<std::size_t>(first - 1)] : 0.0;
       const double in_above = in_total - prefix_in[static_cast<std::size_t>(last)];
-      const double out_below = first > 0 ? prefix_out[static_cast<std::size_t>(first - 1)] : out_near;
+      const double out_below =
+          first > 0 ? prefix_out[static_cast<std::size_t>(first - 1)] : out_near;
       const double out_above = out_total - prefix_out[static_cast<std::size_t>(last)];
       double sum = (in_below + out_above) * good + (in_above + out_below) * bad;
       for (int j = first; j <= last; ++j) {
@@ -243,8 +260,9 @@ class SideLikelihood {
   std::vector<Eigen::Vector2d> inside_, outside_;  ///< (across, along) from the middle
 };
 
-/// [m] of a side where nothing beyond it was seen, so that only the outline tells. Each sample's phase leaves gap^2 / 12; as far as
-/// the raw outline wavers by as much the phases differ along the side and average out.
+/// [m] of a side where nothing beyond it was seen, so that only the outline tells. Each sample's
+/// phase leaves gap^2 / 12; as far as the raw outline wavers by as much the phases differ along the
+/// side and average out.
 double outline_sigma(const Side& side, double noise) {
   const double whole = side.gap * side.gap / 12.0;
   const double wavering = std::min(whole, side.waver * side.waver);
@@ -299,8 +317,8 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
   // From the frame's origin to the middle of the first guess.
   const Eigen::Vector2d u = unit(direction);
   const Eigen::Vector2d v(-u.y(), u.x());
-  const Eigen::Vector2d middle =
-      0.5 * (sides[0].position - sides[2].position) * u + 0.5 * (sides[1].position - sides[3].position) * v;
+  const Eigen::Vector2d middle = 0.5 * (sides[0].position - sides[2].position) * u +
+                                 0.5 * (sides[1].position - sides[3].position) * v;
   for (Side& side : sides) side.position -= middle.dot(unit(direction + side.turn));
   for (std::size_t k = 0; k < 4; ++k) {  // a side is as long as its neighbours are apart
     const Eigen::Vector2d normal = unit(direction + sides[k].turn);
@@ -311,14 +329,16 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
   }
 
   std::vector<SideLikelihood> likelihoods;
-  for (const Side& side : sides) likelihoods.emplace_back(side, evidence.sigma, evidence, middle, direction);
+  for (const Side& side : sides)
+    likelihoods.emplace_back(side, evidence.sigma, evidence, middle, direction);
   std::array<bool, 4> known{};
   for (std::size_t k = 0; k < 4; ++k) known[k] = !sides[k].censored && likelihoods[k].informed();
 
   // Directions: as far as the ends of the longest known side may lie apart by its gap.
   double reach = radians(8.0);
   for (std::size_t k = 0; k < 4; ++k) {
-    if (known[k]) reach = std::min(reach, 2.0 * sides[k].gap / std::max(1e-9, sides[k].high - sides[k].low));
+    if (known[k])
+      reach = std::min(reach, 2.0 * sides[k].gap / std::max(1e-9, sides[k].high - sides[k].low));
   }
   struct Trial {
     double turn, weight;
@@ -330,7 +350,8 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
   std::array<double, 4> start{};
   std::array<double, 4> step{};
   for (std::size_t k = 0; k < 4; ++k) {
-    const double half = known[k] ? 2.0 * sides[k].gap : 4.0 * outline_sigma(sides[k], evidence.sigma);
+    const double half =
+        known[k] ? 2.0 * sides[k].gap : 4.0 * outline_sigma(sides[k], evidence.sigma);
     start[k] = sides[k].position - half;
     step[k] = 2.0 * half / bins;
   }
@@ -390,11 +411,13 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
   for (const Trial& trial : trials) {
     mean_turn += trial.weight * trial.turn;
     for (std::size_t k = 0; k < 4; ++k) {
-      for (std::size_t b = 0; b < bins; ++b) mean_position[k] += trial.weight * trial.side[k][b] * (static_cast<double>(b) + 0.5);
+      for (std::size_t b = 0; b < bins; ++b)
+        mean_position[k] += trial.weight * trial.side[k][b] * (static_cast<double>(b) + 0.5);
     }
   }
   mean_turn /= total;
-  for (std::size_t k = 0; k < 4; ++k) mean_position[k] = start[k] + step[k] * mean_position[k] / total;
+  for (std::size_t k = 0; k < 4; ++k)
+    mean_position[k] = start[k] + step[k] * mean_position[k] / total;
 
   // Width along each axis: the sum of two opposite positions.
   std::array<Measured, 2> size;
@@ -409,7 +432,9 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
         const double p = trial.weight * trial.side[axis][i];
         if (p < 1e-7) continue;
         for (std::size_t j = 0; j < bins; ++j) {
-          const double x = ((static_cast<double>(i) + 0.5) * step_a + (static_cast<double>(j) + 0.5) * step_b) / fine;
+          const double x =
+              ((static_cast<double>(i) + 0.5) * step_a + (static_cast<double>(j) + 0.5) * step_b) /
+              fine;
           sum[static_cast<std::size_t>(x)] += p * trial.side[axis + 2][j];
         }
       }
@@ -418,7 +443,9 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
     size[axis].value = mean_position[axis] + mean_position[axis + 2];
     if (evidence.plane_variance) {
       const Eigen::Vector2d outwards = unit(direction + mean_turn + sides[axis].turn);
-      const double variance = evidence.plane_variance(middle - mean_position[axis + 2] * outwards, middle + mean_position[axis] * outwards, outwards);
+      const double variance =
+          evidence.plane_variance(middle - mean_position[axis + 2] * outwards,
+                                  middle + mean_position[axis] * outwards, outwards);
       widen(size[axis], variance);
     }
     // Opposite sides of a sliver may cross within their error: no size is below nothing.
@@ -442,9 +469,10 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
     fit.censored[k] = sides[from].censored;
   }
   const double area = size[0].value * size[1].value;
-  const double sigma = std::sqrt(size[1].value * size[1].value * variance_of(size[0]) + size[0].value * size[0].value * variance_of(size[1]));
-  fit.area = {area, std::max(0.0, area - 1.959963984540054 * sigma), area + 1.959963984540054 * sigma,
-              size[0].at_least || size[1].at_least};
+  const double sigma = std::sqrt(size[1].value * size[1].value * variance_of(size[0]) +
+                                 size[0].value * size[0].value * variance_of(size[1]));
+  fit.area = {area, std::max(0.0, area - 1.959963984540054 * sigma),
+              area + 1.959963984540054 * sigma, size[0].at_least || size[1].at_least};
   return fit;
 }
 

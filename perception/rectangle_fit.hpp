@@ -14,34 +14,42 @@ namespace scanchor {
 struct OutlineEdge {
   Eigen::Vector2d from, to;  ///< [m]
   EdgeKind kind = EdgeKind::unknown;
-  double gap = 0.0;          ///< [m] between the samples on its two sides
-  double waver = 0.0;        ///< [m] rms distance of the raw outline from the edge
+  double gap = 0.0;    ///< [m] between the samples on its two sides
+  double waver = 0.0;  ///< [m] rms distance of the raw outline from the edge
 };
 
 struct RectangleEvidence {
-  std::vector<Eigen::Vector2d> inside;   ///< [m] samples on the surface; those near the edges suffice
-  std::vector<Eigen::Vector2d> outside;  ///< [m] samples that are known not to be on it, next to the edges
+  std::vector<Eigen::Vector2d>
+      inside;  ///< [m] samples on the surface; those near the edges suffice
+  std::vector<Eigen::Vector2d>
+      outside;  ///< [m] samples that are known not to be on it, next to the edges
   std::vector<OutlineEdge> edges;
-  double sigma = 0.0;                    ///< [m] lateral noise of a sample
-  /// [m2] variance of the distance between two places of the plane, along a unit vector, that comes from the plane itself; may be empty.
-  std::function<double(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& along)> plane_variance;
+  double sigma = 0.0;  ///< [m] lateral noise of a sample
+  /// [m2] variance of the distance between two places of the plane, along a unit vector, that comes
+  /// from the plane itself; may be empty.
+  std::function<double(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+                       const Eigen::Vector2d& along)>
+      plane_variance;
 };
 
 struct RectangleFit {
   FittedRectangle rectangle;
-  Measured area;                      ///< [m2] of the rectangle
-  std::array<double, 4> support{};    ///< share of each side (right, top, left, bottom in its own frame) that true edges lie along
-  std::array<bool, 4> censored{};     ///< the side is a shadow or the end of the view
+  Measured area;                    ///< [m2] of the rectangle
+  std::array<double, 4> support{};  ///< share of each side (right, top, left, bottom in its own
+                                    ///< frame) that true edges lie along
+  std::array<bool, 4> censored{};   ///< the side is a shadow or the end of the view
 };
 
-/// Direction: that of the longest edges, at right angles to each other. Sides: the outermost that carry a tenth of the extent,
-/// or three samples of true edge. Then, for
-/// a grid of directions about it, each side's position has the likelihood  prod_i P(sample i is on the side where it was found), with
-/// normal lateral noise and a share of wrong samples; direction and positions have flat priors. Width and length are sums of two positions,
-/// their distribution follows by convolution, and the answer is its mean and its central 95 %. No shape of error is assumed: where the
-/// samples form a lattice parallel to a side the distribution is as flat as one spacing, where they do not it is much narrower.
-/// Without samples outside, a side lies where the outline does, and what the outline cannot tell is its variance.
-/// Censored sides lie at the outermost sample and make the size "at least". Empty evidence gives a rectangle of size 0.
+/// Direction: that of the longest edges, at right angles to each other. Sides: the outermost that
+/// carry a tenth of the extent, or three samples of true edge. Then, for a grid of directions about
+/// it, each side's position has the likelihood  prod_i P(sample i is on the side where it was
+/// found), with normal lateral noise and a share of wrong samples; direction and positions have
+/// flat priors. Width and length are sums of two positions, their distribution follows by
+/// convolution, and the answer is its mean and its central 95 %. No shape of error is assumed:
+/// where the samples form a lattice parallel to a side the distribution is as flat as one spacing,
+/// where they do not it is much narrower. Without samples outside, a side lies where the outline
+/// does, and what the outline cannot tell is its variance. Censored sides lie at the outermost
+/// sample and make the size "at least". Empty evidence gives a rectangle of size 0.
 RectangleFit fit_rectangle(const RectangleEvidence& evidence);
 
 }  // namespace scanchor

@@ -37,7 +37,7 @@ using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<do
 /// Points with normals, searchable.
 struct Shape {
   Points points;
-  Points normals;            // unit; zero where there is no plane
+  Points normals;  // unit; zero where there is no plane
   PointAdaptor adaptor{&points};
   std::unique_ptr<Tree> tree;
 };
@@ -60,7 +60,8 @@ double diagonal(const Points& points) {
   return box.diagonal().norm();
 }
 
-/// The mean of the points of each cell, cells in the order of their place: the order of the input does not matter.
+/// The mean of the points of each cell, cells in the order of their place: the order of the input
+/// does not matter.
 Points thin(const Points& points, double voxel) {
   struct Entry {
     std::array<std::int64_t, 3> cell;
@@ -94,7 +95,8 @@ Points thin(const Points& points, double voxel) {
 std::unique_ptr<Shape> make_shape(Points points, int neighbours) {
   auto shape = std::make_unique<Shape>();
   shape->points = std::move(points);
-  shape->tree = std::make_unique<Tree>(3, shape->adaptor, nanoflann::KDTreeSingleIndexAdaptorParams(16));
+  shape->tree =
+      std::make_unique<Tree>(3, shape->adaptor, nanoflann::KDTreeSingleIndexAdaptorParams(16));
   const std::size_t count = shape->points.size();
   const std::size_t k = std::min(static_cast<std::size_t>(neighbours), count);
   shape->normals.assign(count, Eigen::Vector3d::Zero());
@@ -150,7 +152,8 @@ void find_pairs(const Shape& target, const Shape& source, const Eigen::Isometry3
   });
 }
 
-/// 1.4826 times the median of |distance|: the standard deviation of a normal core, whatever the tails.
+/// 1.4826 times the median of |distance|: the standard deviation of a normal core, whatever the
+/// tails.
 double robust_deviation(const std::vector<Pair>& pairs) {
   std::vector<double> sizes;
   for (const Pair& pair : pairs) {
@@ -171,12 +174,15 @@ Eigen::Isometry3d exponential(const Vector6& step) {
   return T;
 }
 
-/// One Gauss-Newton step about `center`; turns and moves that nothing holds are left out and counted.
+/// One Gauss-Newton step about `center`; turns and moves that nothing holds are left out and
+/// counted.
 Vector6 solve(const std::vector<Pair>& pairs, const Eigen::Vector3d& center, double sigma,
               double size, int& free_directions) {
   Matrix6 H = Matrix6::Zero();
   Vector6 g = Vector6::Zero();
-  const double width = 2.385 * sigma;  // 95 % efficiency of the Cauchy kernel on normal residuals (Holland & Welsch 1977)
+  const double width =
+      2.385 *
+      sigma;  // 95 % efficiency of the Cauchy kernel on normal residuals (Holland & Welsch 1977)
   double weights = 0.0;
   for (const Pair& pair : pairs) {
     if (!pair.valid) continue;
@@ -211,7 +217,8 @@ Registration align(const Shape& target, const Shape& source, const Eigen::Isomet
   double reach = options.reach;
   const double size = 0.25 * diagonal(source.points);
   std::vector<Pair> pairs;
-  for (result.iterations = 1; result.iterations <= options.maximum_iterations; ++result.iterations) {
+  for (result.iterations = 1; result.iterations <= options.maximum_iterations;
+       ++result.iterations) {
     find_pairs(target, source, result.T_target_source, reach, pairs);
     const double sigma = std::max(robust_deviation(pairs), 1e-6);
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
@@ -230,7 +237,8 @@ Registration align(const Shape& target, const Shape& source, const Eigen::Isomet
         Eigen::Translation3d(center) * exponential(step) * Eigen::Translation3d(-center);
     result.T_target_source = about * result.T_target_source;
     result.converged = step.head<3>().norm() < 1e-5 && step.tail<3>().norm() < 1e-5;
-    // The nearer the clouds, the nearer a partner must be; a cell and a half is where partners are by chance of thinning.
+    // The nearer the clouds, the nearer a partner must be; a cell and a half is where partners are
+    // by chance of thinning.
     const double next = std::max(1.5 * voxel, std::min(reach, 0.5 * reach + 3.0 * sigma));
     if (result.converged && next >= 0.999 * reach) break;
     reach = next;
@@ -250,7 +258,8 @@ double voxel_for(const Points& target, const RegisterOptions& options) {
 
 void RegisterOptions::describe(OptionList& list) {
   list.add("reach", reach, "m", "how far off the first guess may be", 1e-3, 100.0);
-  list.add("voxel", voxel, "m", "cell of the thinned clouds; 0: a two-hundredth of the diagonal", 0.0, 10.0);
+  list.add("voxel", voxel, "m", "cell of the thinned clouds; 0: a two-hundredth of the diagonal",
+           0.0, 10.0);
   list.add("neighbours", neighbours, "1", "of a point, for its normal", 4, 100);
   list.add("maximum_iterations", maximum_iterations, "1", "of pairing and moving", 1, 1000);
 }

@@ -20,24 +20,28 @@ std::vector<float> ranges_of(const PointCloud& cloud, const std::vector<std::uin
   return ranges;
 }
 
-// The radius of the scanner's own body: of a cluster of near returns with a shell around it that is empty but for mixed pixels.
-// 0: none.
+// The radius of the scanner's own body: of a cluster of near returns with a shell around it that is
+// empty but for mixed pixels. 0: none.
 double find_body(const std::vector<float>& ranges) {
-  constexpr double reach = 1.0;         // of a body with nothing at all around it
-  constexpr double reach_veiled = 0.5;  // of one with a veil of mixed pixels between its edges and the room
+  constexpr double reach = 1.0;  // of a body with nothing at all around it
+  constexpr double reach_veiled =
+      0.5;  // of one with a veil of mixed pixels between its edges and the room
   constexpr double gap = 1.25, share = 0.005, veil = 0.05;
   std::vector<float> near;
   for (const float r : ranges) {
     if (r < reach * gap) near.push_back(r);
   }
   std::sort(near.begin(), near.end());
-  const auto least = static_cast<std::size_t>(std::max(20.0, share * static_cast<double>(ranges.size())));
+  const auto least =
+      static_cast<std::size_t>(std::max(20.0, share * static_cast<double>(ranges.size())));
   double radius = 0.0;
   std::size_t fewest = 0, end = 0;  // `end`: first return beyond the shell around the first i
   for (std::size_t i = least; i <= near.size() && i < ranges.size() && near[i - 1] < reach; ++i) {
     while (end < near.size() && near[end] <= gap * near[i - 1]) ++end;
     const std::size_t between = end - i;
-    const bool shell = between == 0 || (near[i - 1] < reach_veiled && static_cast<double>(between) <= veil * static_cast<double>(i));
+    const bool shell =
+        between == 0 || (near[i - 1] < reach_veiled &&
+                         static_cast<double>(between) <= veil * static_cast<double>(i));
     if (!shell) {
       if (radius > 0.0) break;  // the first gap ends: what follows is the room
       continue;
@@ -55,10 +59,12 @@ float out_of_range_from(const std::vector<float>& ranges) {
   if (ranges.empty()) return std::numeric_limits<float>::infinity();
   const float largest = *std::max_element(ranges.begin(), ranges.end());
   const float from = largest * (1.0F - 1e-4F);
-  const auto count = std::count_if(ranges.begin(), ranges.end(), [&](float r) { return r >= from; });
+  const auto count =
+      std::count_if(ranges.begin(), ranges.end(), [&](float r) { return r >= from; });
   const double least = std::max(20.0, 5e-4 * static_cast<double>(ranges.size()));
   // All points at one range would be a test object on a sphere, not a scanner's limit.
-  const bool limit = static_cast<double>(count) >= least && 2 * static_cast<std::size_t>(count) < ranges.size();
+  const bool limit =
+      static_cast<double>(count) >= least && 2 * static_cast<std::size_t>(count) < ranges.size();
   return limit ? from : std::numeric_limits<float>::infinity();
 }
 

@@ -56,7 +56,8 @@ double ellipse_eccentricity(const std::vector<Eigen::Vector2d>& points) {
   return std::min(std::sqrt(1.0 - ratio), std::nextafter(1.0, 0.0));
 }
 
-FittedRectangle rectangle_from_sides(double angle, const Eigen::Vector2d& low, const Eigen::Vector2d& high) {
+FittedRectangle rectangle_from_sides(double angle, const Eigen::Vector2d& low,
+                                     const Eigen::Vector2d& high) {
   FittedRectangle rectangle;
   const Eigen::Vector2d u(std::cos(angle), std::sin(angle));
   const Eigen::Vector2d v(-u.y(), u.x());
@@ -77,17 +78,22 @@ FittedRectangle rectangle_from_sides(double angle, const Eigen::Vector2d& low, c
 }
 
 FittedRectangle minimum_area_rectangle(const std::vector<Eigen::Vector2d>& points) {
-  // Hull by Andrew's monotone chain; the least rectangle has a side along an edge of the hull (Freeman and Shapira 1975).
+  // Hull by Andrew's monotone chain; the least rectangle has a side along an edge of the hull
+  // (Freeman and Shapira 1975).
   std::vector<Eigen::Vector2d> sorted = points;
-  std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+  std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+  });
   std::vector<Eigen::Vector2d> hull;
-  const auto turn = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+  const auto turn = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+                       const Eigen::Vector2d& c) {
     return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
   };
   for (int half = 0; half < 2; ++half) {
     const std::size_t base = hull.size();
     for (const auto& p : sorted) {
-      while (hull.size() >= base + 2 && turn(hull[hull.size() - 2], hull.back(), p) <= 0.0) hull.pop_back();
+      while (hull.size() >= base + 2 && turn(hull[hull.size() - 2], hull.back(), p) <= 0.0)
+        hull.pop_back();
       hull.push_back(p);
     }
     if (!hull.empty()) hull.pop_back();

@@ -9,8 +9,8 @@
 
 namespace scanchor {
 
-/// The inliers in the frame of the surface, sorted by (x, y): the sequence of the cloud's points leaves no trace. `order[i]` is the
-/// index in the cloud of point i.
+/// The inliers in the frame of the surface, sorted by (x, y): the sequence of the cloud's points
+/// leaves no trace. `order[i]` is the index in the cloud of point i.
 struct FlatPoints {
   std::vector<Eigen::Vector2d> points;  ///< [m] dropped onto the plane along its normal
   std::vector<std::uint32_t> order;
@@ -20,11 +20,13 @@ FlatPoints flatten(const PointCloud& cloud, const Surface& surface);
 /// Eccentricity of the ellipse with the second moments of the points: sqrt(1 - l1 / l2), [0, 1).
 double ellipse_eccentricity(const std::vector<Eigen::Vector2d>& points);
 
-/// Rectangle of the least area around the points (rotating calipers on the hull), longer side as length; intervals are empty
-/// (low = high = value). Zero for fewer than two different points.
+/// Rectangle of the least area around the points (rotating calipers on the hull), longer side as
+/// length; intervals are empty (low = high = value). Zero for fewer than two different points.
 FittedRectangle minimum_area_rectangle(const std::vector<Eigen::Vector2d>& points);
 
-/// Sets centre, angle in [-pi/2, pi/2) and sides from a frame and the extents in it; the longer side becomes `length`.
-FittedRectangle rectangle_from_sides(double angle, const Eigen::Vector2d& low, const Eigen::Vector2d& high);
+/// Sets centre, angle in [-pi/2, pi/2) and sides from a frame and the extents in it; the longer
+/// side becomes `length`.
+FittedRectangle rectangle_from_sides(double angle, const Eigen::Vector2d& low,
+                                     const Eigen::Vector2d& high);
 
 }  // namespace scanchor

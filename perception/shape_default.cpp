@@ -12,9 +12,11 @@
 namespace scanchor {
 namespace {
 
-constexpr std::size_t smallest_ring = 7;  ///< nodes: two samples alone have six neighbouring middles or so, three have more
+constexpr std::size_t smallest_ring =
+    7;  ///< nodes: two samples alone have six neighbouring middles or so, three have more
 
-/// A ring of the outline at four levels of smoothing. Level 0: straightened; 1: simplified; 2: as measured.
+/// A ring of the outline at four levels of smoothing. Level 0: straightened; 1: simplified; 2: as
+/// measured.
 struct SmoothRing {
   Ring ring;
   std::vector<EdgeKind> kinds;
@@ -48,7 +50,8 @@ SmoothRing smooth(const Outline& outline, const BoundaryRing& raw, int level) {
     return result;
   }
   std::vector<double> gaps = rough.tolerance;
-  // A raw outline wavers by half a gap to either side of the edge, so two vertices of it may lie a gap apart across it.
+  // A raw outline wavers by half a gap to either side of the edge, so two vertices of it may lie a
+  // gap apart across it.
   for (double& t : rough.tolerance) t *= 1.7;
   const std::vector<std::uint32_t> kept = simplify(rough);
   if (level == 0) {
@@ -62,7 +65,8 @@ SmoothRing smooth(const Outline& outline, const BoundaryRing& raw, int level) {
     double gap = 0.0;
     for (std::size_t k = 0; k < steps; ++k) {
       const std::size_t a = (kept[i] + k) % n;
-      length[static_cast<std::size_t>(raw.kinds[a])] += (rough.points[(a + 1) % n] - rough.points[a]).norm();
+      length[static_cast<std::size_t>(raw.kinds[a])] +=
+          (rough.points[(a + 1) % n] - rough.points[a]).norm();
       gap += gaps[a];
     }
     const auto longest = std::max_element(length.begin(), length.end());
@@ -76,7 +80,10 @@ SmoothRing smooth(const Outline& outline, const BoundaryRing& raw, int level) {
       const double off = along.x() * d.y() - along.y() * d.x();
       squares += off * off;
     }
-    result.wavers.push_back(steps > 1 && along.squaredNorm() > 0.0 ? std::sqrt(squares / along.squaredNorm() / static_cast<double>(steps - 1)) : 0.0);
+    result.wavers.push_back(
+        steps > 1 && along.squaredNorm() > 0.0
+            ? std::sqrt(squares / along.squaredNorm() / static_cast<double>(steps - 1))
+            : 0.0);
   }
   return result;
 }
@@ -93,8 +100,11 @@ OutlineShare hidden_share(const Outline& outline) {
   for (const BoundaryRing& ring : outline.rings) {
     if (ring.nodes.size() < smallest_ring) continue;
     for (std::size_t i = 0; i < ring.nodes.size(); ++i) {
-      const double length = (outline.nodes[ring.nodes[(i + 1) % ring.nodes.size()]].position - outline.nodes[ring.nodes[i]].position).norm();
-      const bool hidden = ring.kinds[i] == EdgeKind::occlusion || ring.kinds[i] == EdgeKind::view_limit;
+      const double length = (outline.nodes[ring.nodes[(i + 1) % ring.nodes.size()]].position -
+                             outline.nodes[ring.nodes[i]].position)
+                                .norm();
+      const bool hidden =
+          ring.kinds[i] == EdgeKind::occlusion || ring.kinds[i] == EdgeKind::view_limit;
       if (ring.area > 0.0) {
         share.total += length;
         if (hidden) share.hidden += length;
@@ -107,11 +117,14 @@ OutlineShare hidden_share(const Outline& outline) {
 }
 
 bool on_surface(const std::vector<Polygon>& polygons, const Eigen::Vector2d& p) {
-  return std::any_of(polygons.begin(), polygons.end(), [&](const Polygon& polygon) { return contains(polygon, p); });
+  return std::any_of(polygons.begin(), polygons.end(),
+                     [&](const Polygon& polygon) { return contains(polygon, p); });
 }
 
-/// What the ray towards a point of the plane met: true if something nearer, so that nobody knows what is there.
-bool is_hidden(const PointCloud& cloud, const ShapeView& view, const Surface& surface, const Eigen::Vector2d& p, double gate) {
+/// What the ray towards a point of the plane met: true if something nearer, so that nobody knows
+/// what is there.
+bool is_hidden(const PointCloud& cloud, const ShapeView& view, const Surface& surface,
+               const Eigen::Vector2d& p, double gate) {
   const Eigen::Vector3d target = surface.T_cloud_surface * Eigen::Vector3d(p.x(), p.y(), 0.0);
   const Eigen::Vector3d direction = (target - view.sensor()).normalized();
   const std::uint32_t cell = view.cell_of(direction);
@@ -120,7 +133,9 @@ bool is_hidden(const PointCloud& cloud, const ShapeView& view, const Surface& su
   for (const std::uint32_t i : view.points(cell)) {
     const Eigen::Vector3d q = cloud.points[i];
     const double cosine = direction.dot((q - view.sensor()).normalized());
-    if (cosine > best || (cosine == best && std::lexicographical_compare(q.data(), q.data() + 3, hit.data(), hit.data() + 3))) {
+    if (cosine > best ||
+        (cosine == best &&
+         std::lexicographical_compare(q.data(), q.data() + 3, hit.data(), hit.data() + 3))) {
       best = cosine;
       hit = q;
     }
@@ -131,7 +146,8 @@ bool is_hidden(const PointCloud& cloud, const ShapeView& view, const Surface& su
 }
 
 /// Share of the rectangle, as far as it could be seen, that is surface.
-double filled_share(const PointCloud& cloud, const ShapeView* view, const Surface& surface, double gate) {
+double filled_share(const PointCloud& cloud, const ShapeView* view, const Surface& surface,
+                    double gate) {
   const FittedRectangle& r = surface.rectangle;
   const Eigen::Vector2d u(std::cos(r.angle), std::sin(r.angle));
   const Eigen::Vector2d v(-u.y(), u.x());
@@ -140,7 +156,8 @@ double filled_share(const PointCloud& cloud, const ShapeView* view, const Surfac
   int seen = 0;
   for (int i = 0; i < steps; ++i) {
     for (int j = 0; j < steps; ++j) {
-      const Eigen::Vector2d p = r.center + ((i + 0.5) / steps - 0.5) * r.length.value * u + ((j + 0.5) / steps - 0.5) * r.width.value * v;
+      const Eigen::Vector2d p = r.center + ((i + 0.5) / steps - 0.5) * r.length.value * u +
+                                ((j + 0.5) / steps - 0.5) * r.width.value * v;
       if (on_surface(surface.polygons, p)) {
         ++filled;
         ++seen;
@@ -152,10 +169,13 @@ double filled_share(const PointCloud& cloud, const ShapeView* view, const Surfac
   return seen > 0 ? static_cast<double>(filled) / seen : 0.0;
 }
 
-/// True where every vertex of the outline lies within 1.5 gaps of the rectangle's border, and the border is all true edges: then the
-/// rectangle itself is the better polygon.
-bool is_clean(const std::vector<Polygon>& polygons, const RectangleFit& fit, const std::vector<OutlineEdge>& edges, const OutlineShare& share) {
-  if (polygons.size() != 1 || !polygons.front().holes.empty() || share.total <= 0.0 || share.hidden > 0.1 * share.total) return false;
+/// True where every vertex of the outline lies within 1.5 gaps of the rectangle's border, and the
+/// border is all true edges: then the rectangle itself is the better polygon.
+bool is_clean(const std::vector<Polygon>& polygons, const RectangleFit& fit,
+              const std::vector<OutlineEdge>& edges, const OutlineShare& share) {
+  if (polygons.size() != 1 || !polygons.front().holes.empty() || share.total <= 0.0 ||
+      share.hidden > 0.1 * share.total)
+    return false;
   for (std::size_t k = 0; k < 4; ++k) {
     if (fit.censored[k] || fit.support[k] < 0.6) return false;
   }
@@ -164,24 +184,28 @@ bool is_clean(const std::vector<Polygon>& polygons, const RectangleFit& fit, con
   const Eigen::Vector2d v(-u.y(), u.x());
   for (const OutlineEdge& e : edges) {
     const Eigen::Vector2d d = e.from - r.center;
-    const double inwards = std::min(0.5 * r.length.value - std::abs(d.dot(u)), 0.5 * r.width.value - std::abs(d.dot(v)));
+    const double inwards = std::min(0.5 * r.length.value - std::abs(d.dot(u)),
+                                    0.5 * r.width.value - std::abs(d.dot(v)));
     if (std::abs(inwards) > 1.5 * e.gap) return false;
   }
   return true;
 }
 
 Polygon rectangle_polygon(const FittedRectangle& r) {
-  const Eigen::Vector2d u = 0.5 * r.length.value * Eigen::Vector2d(std::cos(r.angle), std::sin(r.angle));
-  const Eigen::Vector2d v = 0.5 * r.width.value * Eigen::Vector2d(-std::sin(r.angle), std::cos(r.angle));
+  const Eigen::Vector2d u =
+      0.5 * r.length.value * Eigen::Vector2d(std::cos(r.angle), std::sin(r.angle));
+  const Eigen::Vector2d v =
+      0.5 * r.width.value * Eigen::Vector2d(-std::sin(r.angle), std::cos(r.angle));
   Polygon polygon;
   polygon.outer = {r.center - u - v, r.center + u - v, r.center + u + v, r.center - u + v};
   polygon.outer_kind.assign(4, EdgeKind::true_edge);
   return polygon;
 }
 
-/// [m2] area of the polygons with its interval. Each edge is known to a gap, variance gap^2 / 12 (reasoning.md 2.2). Where the samples
-/// change their phase along it the raw outline wavers by as much, and that part averages out over the length of an edge; what does
-/// not waver is the same error along the whole edge.
+/// [m2] area of the polygons with its interval. Each edge is known to a gap, variance gap^2 / 12
+/// (reasoning.md 2.2). Where the samples change their phase along it the raw outline wavers by as
+/// much, and that part averages out over the length of an edge; what does not waver is the same
+/// error along the whole edge.
 Measured polygon_area(const std::vector<Polygon>& polygons, const std::vector<OutlineEdge>& edges) {
   Measured area;
   for (const Polygon& polygon : polygons) area.value += polygon.area();
@@ -199,9 +223,11 @@ Measured polygon_area(const std::vector<Polygon>& polygons, const std::vector<Ou
   return area;
 }
 
-/// True where a vertex lies outside the points' box by more than a quarter of its diagonal. A ray that nearly grazes the plane meets it
-/// far away or behind the scanner: such an outline says nothing, and the points alone say more.
-bool reaches_beyond(const std::vector<Polygon>& polygons, const std::vector<Eigen::Vector2d>& points) {
+/// True where a vertex lies outside the points' box by more than a quarter of its diagonal. A ray
+/// that nearly grazes the plane meets it far away or behind the scanner: such an outline says
+/// nothing, and the points alone say more.
+bool reaches_beyond(const std::vector<Polygon>& polygons,
+                    const std::vector<Eigen::Vector2d>& points) {
   Eigen::AlignedBox2d box;
   for (const auto& point : points) box.extend(point);
   const double slack = 0.25 * box.diagonal().norm();
@@ -241,13 +267,15 @@ std::vector<Polygon> outline_polygons(const Outline& outline, std::vector<Outlin
       SmoothRing ring = smooth(outline, outer, level);
       piece.polygon.outer = ring.ring;
       piece.polygon.outer_kind = ring.kinds;
-      for (std::size_t h = r + 1; h < outline.rings.size() && outline.rings[h].component == outer.component; ++h) {
+      for (std::size_t h = r + 1;
+           h < outline.rings.size() && outline.rings[h].component == outer.component; ++h) {
         if (outline.rings[h].area >= 0.0 || outline.rings[h].nodes.size() < smallest_ring) continue;
         SmoothRing hole = smooth(outline, outline.rings[h], level);
         if (ring_area(hole.ring) < 0.0) piece.polygon.holes.push_back(std::move(hole.ring));
       }
       if (!is_valid(piece.polygon)) {
-        // A hole that has grown into the outer ring is a notch too small to tell; without holes the ring may do.
+        // A hole that has grown into the outer ring is a notch too small to tell; without holes the
+        // ring may do.
         if (level < 2) continue;
         std::erase_if(piece.polygon.holes, [&](const Ring& hole) {
           return !is_valid({piece.polygon.outer, {hole}, {}});
@@ -255,7 +283,8 @@ std::vector<Polygon> outline_polygons(const Outline& outline, std::vector<Outlin
         if (!is_valid(piece.polygon)) break;
       }
       for (std::size_t i = 0; i < ring.ring.size(); ++i) {
-        piece.edges.push_back({ring.ring[i], ring.ring[(i + 1) % ring.ring.size()], ring.kinds[i], ring.gaps[i], ring.wavers[i]});
+        piece.edges.push_back({ring.ring[i], ring.ring[(i + 1) % ring.ring.size()], ring.kinds[i],
+                               ring.gaps[i], ring.wavers[i]});
       }
       piece.area = piece.polygon.area();
       pieces.push_back(std::move(piece));
@@ -276,14 +305,17 @@ std::vector<Polygon> outline_polygons(const Outline& outline, std::vector<Outlin
   return polygons;
 }
 
-void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surfaces& all, Surface& surface) {
+void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surfaces& all,
+                   Surface& surface) {
   const FlatPoints flat = flatten(cloud, surface);
   surface.eccentricity = ellipse_eccentricity(flat.points);
   // 3.5 sigma: one point in two thousand of the surface's own lies farther from it.
   const double gate = 3.5 * std::max(all.noise_sigma, surface.plane.residual_sigma) + 1e-6;
-  const RayPlane plane = view != nullptr ? fit_along_rays(cloud, surface, view->sensor()) : RayPlane{};
-  const OutlineSamples samples = view != nullptr ? samples_with_view(cloud, *view, all, surface, plane.T_cloud_plane, gate)
-                                                 : samples_without_view(flat, surface.T_cloud_surface);
+  const RayPlane plane =
+      view != nullptr ? fit_along_rays(cloud, surface, view->sensor()) : RayPlane{};
+  const OutlineSamples samples =
+      view != nullptr ? samples_with_view(cloud, *view, all, surface, plane.T_cloud_plane, gate)
+                      : samples_without_view(flat, surface.T_cloud_surface);
   const Outline outline = find_outline(cloud, all, surface, samples, gate);
   RectangleEvidence evidence;
   surface.polygons = outline_polygons(outline, &evidence.edges);
@@ -296,11 +328,14 @@ void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surface
     return;
   }
   if (view != nullptr) {
-    // The points were moved along their rays: what is left is the plane's own error, the same for all of them.
-    evidence.plane_variance = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& along) {
-      return plane.distance_variance(plane.T_cloud_plane * Eigen::Vector3d(a.x(), a.y(), 0.0),
-                                     plane.T_cloud_plane * Eigen::Vector3d(b.x(), b.y(), 0.0),
-                                     plane.T_cloud_plane.linear() * Eigen::Vector3d(along.x(), along.y(), 0.0));
+    // The points were moved along their rays: what is left is the plane's own error, the same for
+    // all of them.
+    evidence.plane_variance = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+                                  const Eigen::Vector2d& along) {
+      return plane.distance_variance(
+          plane.T_cloud_plane * Eigen::Vector3d(a.x(), a.y(), 0.0),
+          plane.T_cloud_plane * Eigen::Vector3d(b.x(), b.y(), 0.0),
+          plane.T_cloud_plane.linear() * Eigen::Vector3d(along.x(), along.y(), 0.0));
     };
   } else {
     // Noise along an unknown ray at 30 degrees from the normal has this part along the plane.
@@ -323,9 +358,10 @@ void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surface
   surface.area = polygon_area(surface.polygons, evidence.edges);
   surface.area.at_least = share.hidden + share.hidden_holes > 0.05 * share.total;
   surface.rectangularness = filled_share(cloud, view, surface, gate);
-  // Four sides that meet at right angles by construction: a rectangle if the surface fills what could be seen of it, and at least two
-  // sides were seen along a third of their length.
-  const auto seen = std::count_if(fit.support.begin(), fit.support.end(), [](double support) { return support >= 0.3; });
+  // Four sides that meet at right angles by construction: a rectangle if the surface fills what
+  // could be seen of it, and at least two sides were seen along a third of their length.
+  const auto seen = std::count_if(fit.support.begin(), fit.support.end(),
+                                  [](double support) { return support >= 0.3; });
   surface.is_rectangle = seen >= 2 && surface.rectangularness >= 0.9;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// The default chain from the points of one plane to polygons, rectangle, A, E, R, with intervals and with what lies beyond each edge.
+// The default chain from the points of one plane to polygons, rectangle, A, E, R, with intervals
+// and with what lies beyond each edge.
 
 #include <vector>
 
@@ -11,12 +12,16 @@
 
 namespace scanchor {
 
-/// Fills polygons, rectangle, area, rectangularness, is_rectangle, eccentricity and occluded_outline of a surface from its inliers and,
-/// where the sensor position is known (`view` not null), from the rays beside them. Deterministic, without a trace of the points' order.
-void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surfaces& all, Surface& surface);
+/// Fills polygons, rectangle, area, rectangularness, is_rectangle, eccentricity and
+/// occluded_outline of a surface from its inliers and, where the sensor position is known (`view`
+/// not null), from the rays beside them. Deterministic, without a trace of the points' order.
+void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surfaces& all,
+                   Surface& surface);
 
-/// The raw outline as polygons: noise in it smoothed, edges straight, valid (polygon_check.hpp), largest first. `edges`: all outer
-/// edges with their kind, for the fit of the rectangle. Pieces and holes of less than three samples are left out.
-std::vector<Polygon> outline_polygons(const Outline& outline, std::vector<OutlineEdge>* edges = nullptr);
+/// The raw outline as polygons: noise in it smoothed, edges straight, valid (polygon_check.hpp),
+/// largest first. `edges`: all outer edges with their kind, for the fit of the rectangle. Pieces
+/// and holes of less than three samples are left out.
+std::vector<Polygon> outline_polygons(const Outline& outline,
+                                      std::vector<OutlineEdge>* edges = nullptr);
 
 }  // namespace scanchor

@@ -10,8 +10,9 @@
 namespace scanchor {
 namespace {
 
-/// [m] radius of the disc that rolls along the points. The paper gives none. Four spacings bridge a missing point of a lattice in both
-/// directions (its diagonal has 2.8) and keep gaps wider than about eight spacings.
+/// [m] radius of the disc that rolls along the points. The paper gives none. Four spacings bridge a
+/// missing point of a lattice in both directions (its diagonal has 2.8) and keep gaps wider than
+/// about eight spacings.
 constexpr double radius_in_spacings = 4.0;
 
 }  // namespace

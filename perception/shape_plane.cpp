@@ -8,7 +8,8 @@
 
 namespace scanchor {
 
-double RayPlane::distance_variance(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& along) const {
+double RayPlane::distance_variance(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                                   const Eigen::Vector3d& along) const {
   const auto slope = [&](const Eigen::Vector3d& x) -> Eigen::Vector3d {  // d(along . place) / dp
     const Eigen::Vector3d d = x - sensor;
     const double t = 1.0 / p.dot(d);
@@ -18,7 +19,8 @@ double RayPlane::distance_variance(const Eigen::Vector3d& a, const Eigen::Vector
   return std::max(0.0, g.dot(covariance * g));
 }
 
-RayPlane fit_along_rays(const PointCloud& cloud, const Surface& surface, const Eigen::Vector3d& sensor) {
+RayPlane fit_along_rays(const PointCloud& cloud, const Surface& surface,
+                        const Eigen::Vector3d& sensor) {
   RayPlane plane;
   plane.sensor = sensor;
   plane.T_cloud_plane = surface.T_cloud_surface;
@@ -27,11 +29,15 @@ RayPlane fit_along_rays(const PointCloud& cloud, const Surface& surface, const E
   const double distance = normal.dot(origin - sensor);
   if (distance == 0.0 || surface.inliers.size() < 4) return plane;
   plane.p = normal / distance;
-  // Until the fit says better: what the surface knows of its plane, as an uncertainty of normal / distance.
+  // Until the fit says better: what the surface knows of its plane, as an uncertainty of normal /
+  // distance.
   const double across = surface.plane.centroid_sigma / distance;
-  plane.covariance = (surface.plane.normal_covariance + across * across * normal * normal.transpose()) / (distance * distance);
+  plane.covariance =
+      (surface.plane.normal_covariance + across * across * normal * normal.transpose()) /
+      (distance * distance);
 
-  // The sums must not depend on the order of the points: sorted by distance from the sensor, ties by coordinates.
+  // The sums must not depend on the order of the points: sorted by distance from the sensor, ties
+  // by coordinates.
   std::vector<Eigen::Vector3d> rays;
   rays.reserve(surface.inliers.size());
   for (const std::uint32_t i : surface.inliers) rays.push_back(cloud.points[i] - sensor);
@@ -41,7 +47,8 @@ RayPlane fit_along_rays(const PointCloud& cloud, const Surface& surface, const E
   Eigen::Vector3d p = plane.p;
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   double squares = 0.0;
-  constexpr double grazing = 0.02;  // sine of about one degree: such rays have no say and a great weight
+  constexpr double grazing =
+      0.02;  // sine of about one degree: such rays have no say and a great weight
   for (int round = 0; round < 3; ++round) {
     information.setZero();
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
@@ -64,9 +71,11 @@ RayPlane fit_along_rays(const PointCloud& cloud, const Surface& surface, const E
     squares /= static_cast<double>(used - 3);
     const Eigen::LDLT<Eigen::Matrix3d> solver(information);
     const Eigen::Vector3d pivots = solver.vectorD();
-    if (solver.info() != Eigen::Success || pivots.minCoeff() <= 1e-12 * pivots.maxCoeff()) return plane;
+    if (solver.info() != Eigen::Success || pivots.minCoeff() <= 1e-12 * pivots.maxCoeff())
+      return plane;
     const Eigen::Vector3d step = solver.solve(gradient);
-    if (!step.allFinite() || step.norm() > 0.2 * p.norm()) return plane;  // not the same plane any more
+    if (!step.allFinite() || step.norm() > 0.2 * p.norm())
+      return plane;  // not the same plane any more
     p += step;
   }
   plane.p = p;
@@ -74,7 +83,9 @@ RayPlane fit_along_rays(const PointCloud& cloud, const Surface& surface, const E
 
   // The frame: the old origin dropped onto the new plane, the old x axis laid down on it.
   const Eigen::Vector3d n = (p.dot(normal) < 0.0 ? -p : p).normalized();
-  const Eigen::Vector3d x = (surface.T_cloud_surface.linear().col(0) - n.dot(surface.T_cloud_surface.linear().col(0)) * n).normalized();
+  const Eigen::Vector3d x =
+      (surface.T_cloud_surface.linear().col(0) - n.dot(surface.T_cloud_surface.linear().col(0)) * n)
+          .normalized();
   plane.T_cloud_plane.linear().col(0) = x;
   plane.T_cloud_plane.linear().col(1) = n.cross(x);
   plane.T_cloud_plane.linear().col(2) = n;

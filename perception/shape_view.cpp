@@ -24,9 +24,12 @@ CubePlace cube_place(const Eigen::Vector3d& d) {
 Eigen::Vector3d cube_direction(const CubePlace& p) {
   const double sign = p.face % 2 == 0 ? 1.0 : -1.0;
   switch (p.face / 2) {
-    case 0: return {sign, p.u, p.v};
-    case 1: return {p.u, sign, p.v};
-    default: return {p.u, p.v, sign};
+    case 0:
+      return {sign, p.u, p.v};
+    case 1:
+      return {p.u, sign, p.v};
+    default:
+      return {p.u, p.v, sign};
   }
 }
 
@@ -36,7 +39,8 @@ std::uint32_t cell_at(const CubePlace& p, int side) {
   return static_cast<std::uint32_t>((p.face * side + y) * side + x);
 }
 
-/// Cells along an edge of the cube so that a cell is about two spacings wide, from the density where the median ray lies.
+/// Cells along an edge of the cube so that a cell is about two spacings wide, from the density
+/// where the median ray lies.
 int choose_side(const std::vector<std::uint32_t>& coarse, int coarse_side, std::size_t rays) {
   std::vector<std::uint32_t> counts;
   for (const std::uint32_t c : coarse) {
@@ -51,12 +55,15 @@ int choose_side(const std::vector<std::uint32_t>& coarse, int coarse_side, std::
     if (2 * below >= rays) break;
   }
   constexpr double spacings_per_cell = 2.2;
-  return std::clamp(static_cast<int>(coarse_side * std::sqrt(static_cast<double>(median)) / spacings_per_cell), 4, 2048);
+  return std::clamp(
+      static_cast<int>(coarse_side * std::sqrt(static_cast<double>(median)) / spacings_per_cell), 4,
+      2048);
 }
 
 }  // namespace
 
-ShapeView::ShapeView(const PointCloud& cloud, const Eigen::Vector3d& sensor, const std::vector<std::int32_t>& plane_of_point)
+ShapeView::ShapeView(const PointCloud& cloud, const Eigen::Vector3d& sensor,
+                     const std::vector<std::int32_t>& plane_of_point)
     : sensor_(sensor) {
   constexpr int coarse_side = 48;
   constexpr std::uint32_t none = 0xffffffffU;
@@ -74,7 +81,8 @@ ShapeView::ShapeView(const PointCloud& cloud, const Eigen::Vector3d& sensor, con
         continue;
       }
       const CubePlace p = cube_place(d);
-      places[i] = {static_cast<float>(p.u), static_cast<float>(p.v), static_cast<std::uint32_t>(p.face)};
+      places[i] = {static_cast<float>(p.u), static_cast<float>(p.v),
+                   static_cast<std::uint32_t>(p.face)};
     }
   });
   const auto cell_in = [&](std::size_t i, int side) {
@@ -89,7 +97,8 @@ ShapeView::ShapeView(const PointCloud& cloud, const Eigen::Vector3d& sensor, con
   }
   side_ = choose_side(coarse, coarse_side, rays);
 
-  const auto cells = static_cast<std::size_t>(6) * static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
+  const auto cells = static_cast<std::size_t>(6) * static_cast<std::size_t>(side_) *
+                     static_cast<std::size_t>(side_);
   cell_of_point_.resize(n);
   begin_.assign(cells + 1, 0);
   owner_.assign(cells, empty);
@@ -112,7 +121,9 @@ ShapeView::ShapeView(const PointCloud& cloud, const Eigen::Vector3d& sensor, con
   }
 }
 
-std::uint32_t ShapeView::cell_of(const Eigen::Vector3d& direction) const { return cell_at(cube_place(direction), side_); }
+std::uint32_t ShapeView::cell_of(const Eigen::Vector3d& direction) const {
+  return cell_at(cube_place(direction), side_);
+}
 
 std::array<std::uint32_t, 8> ShapeView::around(std::uint32_t cell) const {
   const int side = side_;
@@ -128,7 +139,8 @@ std::array<std::uint32_t, 8> ShapeView::around(std::uint32_t cell) const {
       const int ny = y + dy;
       if (nx >= 0 && ny >= 0 && nx < side && ny < side) {
         result[k++] = static_cast<std::uint32_t>((face * side + ny) * side + nx);
-      } else {  // over the edge of the cube: the middle of that cell, had the face gone on, seen from the centre
+      } else {  // over the edge of the cube: the middle of that cell, had the face gone on, seen
+                // from the centre
         const CubePlace beyond{face, (nx + 0.5) * 2.0 / side - 1.0, (ny + 0.5) * 2.0 / side - 1.0};
         result[k++] = cell_of(cube_direction(beyond));
       }

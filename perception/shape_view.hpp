@@ -1,6 +1,7 @@
 #pragma once
-// The cloud as one sensor position saw it: rays sorted by direction, so that the rays beside a ray are found at once. What lies beyond
-// the edge of a surface, something farther (a true edge), something nearer (a shadow) or nothing, is a question to these rays.
+// The cloud as one sensor position saw it: rays sorted by direction, so that the rays beside a ray
+// are found at once. What lies beyond the edge of a surface, something farther (a true edge),
+// something nearer (a shadow) or nothing, is a question to these rays.
 
 #include <Eigen/Core>
 #include <array>
@@ -12,8 +13,8 @@
 
 namespace scanchor {
 
-/// Rays of one sensor position in the cells of a cube map. Immutable after construction. Independent of the order of the points, but for
-/// the order within a cell.
+/// Rays of one sensor position in the cells of a cube map. Immutable after construction.
+/// Independent of the order of the points, but for the order within a cell.
 class ShapeView {
  public:
   /// owner of a cell that holds no ray, or rays of several planes.
@@ -21,16 +22,21 @@ class ShapeView {
   static constexpr std::int32_t mixed = -2;
 
   /// Non-finite points and points at the sensor itself are left out. plane_of_point: -1 for none.
-  ShapeView(const PointCloud& cloud, const Eigen::Vector3d& sensor, const std::vector<std::int32_t>& plane_of_point);
+  ShapeView(const PointCloud& cloud, const Eigen::Vector3d& sensor,
+            const std::vector<std::int32_t>& plane_of_point);
 
   [[nodiscard]] const Eigen::Vector3d& sensor() const { return sensor_; }
   /// [rad] side of a cell at the middle of a face of the cube: about two spacings of the rays.
   [[nodiscard]] double cell_angle() const { return 2.0 / side_; }
-  [[nodiscard]] std::uint32_t cell_count() const { return static_cast<std::uint32_t>(owner_.size()); }
+  [[nodiscard]] std::uint32_t cell_count() const {
+    return static_cast<std::uint32_t>(owner_.size());
+  }
   /// Cell of a direction, which need not have length 1.
   [[nodiscard]] std::uint32_t cell_of(const Eigen::Vector3d& direction) const;
   /// Cell of a point of the cloud, cell_count() if it was left out.
-  [[nodiscard]] std::uint32_t cell_of_point(std::uint32_t point) const { return cell_of_point_[point]; }
+  [[nodiscard]] std::uint32_t cell_of_point(std::uint32_t point) const {
+    return cell_of_point_[point];
+  }
   /// The plane that owns all rays of the cell, or `empty`, or `mixed`; -1: rays of no plane.
   [[nodiscard]] std::int32_t owner(std::uint32_t cell) const { return owner_[cell]; }
   /// Indices of the points in a cell.

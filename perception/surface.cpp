@@ -21,10 +21,14 @@ double Polygon::area() const {
 
 std::string_view edge_kind_name(EdgeKind kind) {
   switch (kind) {
-    case EdgeKind::true_edge: return "true_edge";
-    case EdgeKind::occlusion: return "occlusion";
-    case EdgeKind::view_limit: return "view_limit";
-    case EdgeKind::unknown: break;
+    case EdgeKind::true_edge:
+      return "true_edge";
+    case EdgeKind::occlusion:
+      return "occlusion";
+    case EdgeKind::view_limit:
+      return "view_limit";
+    case EdgeKind::unknown:
+      break;
   }
   return "unknown";
 }

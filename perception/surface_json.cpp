@@ -1,5 +1,6 @@
-// surfaces.json: docs/reference/surfaces-format.md. Doubles are written as the shortest text that reads back to the same bits, and
-// the frame as its axes rather than a quaternion, so that reading and writing again gives the same bytes.
+// surfaces.json: docs/reference/surfaces-format.md. Doubles are written as the shortest text that
+// reads back to the same bits, and the frame as its axes rather than a quaternion, so that reading
+// and writing again gives the same bytes.
 
 #include <fmt/format.h>
 
@@ -15,7 +16,8 @@ namespace {
 
 constexpr const char* format_name = "scanchor surfaces";
 constexpr int format_version = 1;
-constexpr std::array kinds = {EdgeKind::true_edge, EdgeKind::occlusion, EdgeKind::view_limit, EdgeKind::unknown};
+constexpr std::array kinds = {EdgeKind::true_edge, EdgeKind::occlusion, EdgeKind::view_limit,
+                              EdgeKind::unknown};
 
 Json measured_to_json(const Measured& m) {
   return {{"value", m.value}, {"low", m.low}, {"high", m.high}, {"at_least", m.at_least}};
@@ -50,11 +52,14 @@ EdgeKind kind_from_json(const JsonReader& json) {
   for (const EdgeKind kind : kinds) {
     if (edge_kind_name(kind) == name) return kind;
   }
-  json.fail(fmt::format("unknown kind of edge '{}'", name), "true_edge, occlusion, view_limit or unknown");
+  json.fail(fmt::format("unknown kind of edge '{}'", name),
+            "true_edge, occlusion, view_limit or unknown");
 }
 
 Json polygon_to_json(const Polygon& polygon) {
-  Json json = {{"outer", ring_to_json(polygon.outer)}, {"holes", Json::array()}, {"outer_kind", Json::array()}};
+  Json json = {{"outer", ring_to_json(polygon.outer)},
+               {"holes", Json::array()},
+               {"outer_kind", Json::array()}};
   for (const Ring& hole : polygon.holes) json["holes"].push_back(ring_to_json(hole));
   for (const EdgeKind kind : polygon.outer_kind) json["outer_kind"].push_back(edge_kind_name(kind));
   return json;
@@ -65,11 +70,14 @@ Polygon polygon_from_json(const JsonReader& json) {
   Polygon polygon;
   polygon.outer = ring_from_json(json.at("outer"));
   const JsonReader holes = json.at("holes");
-  for (std::size_t i = 0; i < holes.size(); ++i) polygon.holes.push_back(ring_from_json(holes.at(i)));
+  for (std::size_t i = 0; i < holes.size(); ++i)
+    polygon.holes.push_back(ring_from_json(holes.at(i)));
   const JsonReader names = json.at("outer_kind");
-  for (std::size_t i = 0; i < names.size(); ++i) polygon.outer_kind.push_back(kind_from_json(names.at(i)));
+  for (std::size_t i = 0; i < names.size(); ++i)
+    polygon.outer_kind.push_back(kind_from_json(names.at(i)));
   if (!polygon.outer_kind.empty() && polygon.outer_kind.size() != polygon.outer.size()) {
-    names.fail(fmt::format("{} kinds for {} edges", polygon.outer_kind.size(), polygon.outer.size()));
+    names.fail(
+        fmt::format("{} kinds for {} edges", polygon.outer_kind.size(), polygon.outer.size()));
   }
   return polygon;
 }
@@ -97,7 +105,8 @@ Json plane_to_json(const Plane& plane) {
 }
 
 Plane plane_from_json(const JsonReader& json) {
-  json.only({"normal", "offset", "centroid", "residual_sigma", "normal_covariance", "centroid_sigma"});
+  json.only(
+      {"normal", "offset", "centroid", "residual_sigma", "normal_covariance", "centroid_sigma"});
   Plane plane;
   plane.normal = json.at("normal").vector3();
   if (std::abs(plane.normal.norm() - 1.0) > 1e-6) json.at("normal").fail("must have length 1");
@@ -153,8 +162,9 @@ Json surface_to_json(const Surface& s, bool with_inliers) {
 }
 
 Surface surface_from_json(const JsonReader& json, std::size_t points) {
-  json.only({"id", "plane", "T_cloud_surface", "inlier_count", "area", "rectangle", "rectangularness", "is_rectangle",
-             "eccentricity", "occluded_outline", "confidence", "polygons", "inliers"});
+  json.only({"id", "plane", "T_cloud_surface", "inlier_count", "area", "rectangle",
+             "rectangularness", "is_rectangle", "eccentricity", "occluded_outline", "confidence",
+             "polygons", "inliers"});
   Surface s;
   s.id = static_cast<std::int32_t>(json.at("id").integer());
   s.plane = plane_from_json(json.at("plane"));
@@ -173,7 +183,8 @@ Surface surface_from_json(const JsonReader& json, std::size_t points) {
   s.occluded_outline = json.at("occluded_outline").number_in(0.0, 1.0);
   s.confidence = json.at("confidence").number_in(0.0, 1.0);
   const JsonReader polygons = json.at("polygons");
-  for (std::size_t i = 0; i < polygons.size(); ++i) s.polygons.push_back(polygon_from_json(polygons.at(i)));
+  for (std::size_t i = 0; i < polygons.size(); ++i)
+    s.polygons.push_back(polygon_from_json(polygons.at(i)));
   if (json.has("inliers")) {
     const JsonReader inliers = json.at("inliers");
     s.inliers.reserve(inliers.size());
@@ -188,7 +199,8 @@ Surface surface_from_json(const JsonReader& json, std::size_t points) {
       s.inliers.push_back(static_cast<std::uint32_t>(index));
     }
     if (s.inliers.size() != s.inlier_count) {
-      inliers.fail(fmt::format("holds {} indices, inlier_count says {}", s.inliers.size(), s.inlier_count));
+      inliers.fail(
+          fmt::format("holds {} indices, inlier_count says {}", s.inliers.size(), s.inlier_count));
     }
   }
   return s;
@@ -209,22 +221,27 @@ Json surfaces_to_json(const Surfaces& surfaces, bool with_inliers) {
   json["sensor_positions"] = Json::array();
   for (const auto& p : surfaces.sensor_positions) json["sensor_positions"].push_back(to_json(p));
   json["surfaces"] = Json::array();
-  for (const Surface& s : surfaces.surfaces) json["surfaces"].push_back(surface_to_json(s, with_inliers));
+  for (const Surface& s : surfaces.surfaces)
+    json["surfaces"].push_back(surface_to_json(s, with_inliers));
   return json;
 }
 
 Surfaces surfaces_from_json(const Json& raw, const std::string& file) {
   const JsonReader json(raw, file);
-  if (!json.has("format") || !json.raw()["format"].is_string() || json.at("format").text() != format_name) {
+  if (!json.has("format") || !json.raw()["format"].is_string() ||
+      json.at("format").text() != format_name) {
     json.fail("is no list of surfaces", fmt::format("\"format\" must be \"{}\"", format_name));
   }
   if (json.at("version").integer() != format_version) {
-    json.at("version").fail(fmt::format("is {}, this program reads version {}", json.at("version").integer(), format_version));
+    json.at("version").fail(fmt::format("is {}, this program reads version {}",
+                                        json.at("version").integer(), format_version));
   }
-  json.only({"format", "version", "point_count", "noise_sigma", "point_spacing", "set_aside", "sensor_positions", "surfaces"});
+  json.only({"format", "version", "point_count", "noise_sigma", "point_spacing", "set_aside",
+             "sensor_positions", "surfaces"});
   Surfaces all;
   const auto points = json.at("point_count").integer();
-  if (points < 0 || points > std::numeric_limits<std::int32_t>::max()) json.at("point_count").fail("is no number of points");
+  if (points < 0 || points > std::numeric_limits<std::int32_t>::max())
+    json.at("point_count").fail("is no number of points");
   all.plane_of_point.assign(static_cast<std::size_t>(points), -1);
   all.noise_sigma = json.at("noise_sigma").number();
   all.point_spacing = json.at("point_spacing").number();
@@ -234,15 +251,18 @@ Surfaces surfaces_from_json(const Json& raw, const std::string& file) {
   all.set_aside.out_of_range = static_cast<std::size_t>(aside.at("out_of_range").integer());
   all.set_aside.scanner_body = static_cast<std::size_t>(aside.at("scanner_body").integer());
   const JsonReader positions = json.at("sensor_positions");
-  for (std::size_t i = 0; i < positions.size(); ++i) all.sensor_positions.push_back(positions.at(i).vector3());
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    all.sensor_positions.push_back(positions.at(i).vector3());
   const JsonReader list = json.at("surfaces");
   for (std::size_t i = 0; i < list.size(); ++i) {
     all.surfaces.push_back(surface_from_json(list.at(i), all.plane_of_point.size()));
     const Surface& s = all.surfaces.back();
-    if (s.id != static_cast<std::int32_t>(i)) list.at(i).at("id").fail(fmt::format("must be {}, its place in the list", i));
+    if (s.id != static_cast<std::int32_t>(i))
+      list.at(i).at("id").fail(fmt::format("must be {}, its place in the list", i));
     for (const std::uint32_t point : s.inliers) {
       if (all.plane_of_point[point] >= 0) {
-        list.at(i).at("inliers").fail(fmt::format("point {} belongs to surface {} already", point, all.plane_of_point[point]));
+        list.at(i).at("inliers").fail(fmt::format("point {} belongs to surface {} already", point,
+                                                  all.plane_of_point[point]));
       }
       all.plane_of_point[point] = s.id;
     }
@@ -250,7 +270,8 @@ Surfaces surfaces_from_json(const Json& raw, const std::string& file) {
   return all;
 }
 
-void write_surfaces(const std::filesystem::path& path, const Surfaces& surfaces, bool with_inliers) {
+void write_surfaces(const std::filesystem::path& path, const Surfaces& surfaces,
+                    bool with_inliers) {
   write_json(path, surfaces_to_json(surfaces, with_inliers));
 }
 

@@ -82,12 +82,16 @@ bool continues(const GrownPlane& plane, const Surfel& patch, double sigma) {
   const double sigma2 = sigma * sigma;
   const double lever = 1.0 + u * u / std::max(plane.plane.variances[1], 1e-30) +
                        v * v / std::max(plane.plane.variances[2], 1e-30);
-  const double variance = sigma2 / patch.grown.moments.n + std::min(lever / plane.moments.n, 1.0) * sigma2;
+  const double variance =
+      sigma2 / patch.grown.moments.n + std::min(lever / plane.moments.n, 1.0) * sigma2;
   // A tenth of the noise and two degrees for surfaces that are no mathematical planes.
-  if (std::abs(plane.plane.distance(center)) > 3.0 * std::sqrt(variance) + 0.1 * sigma) return false;
-  const double tilt2 = patch.tilt * patch.tilt + sigma2 / (plane.moments.n * std::max(plane.plane.variances[1], 1e-30));
+  if (std::abs(plane.plane.distance(center)) > 3.0 * std::sqrt(variance) + 0.1 * sigma)
+    return false;
+  const double tilt2 = patch.tilt * patch.tilt +
+                       sigma2 / (plane.moments.n * std::max(plane.plane.variances[1], 1e-30));
   const double angle = 3.0 * std::sqrt(tilt2) + 0.035;
-  return std::abs(plane.plane.normal.dot(patch.grown.plane.normal)) > std::cos(std::min(angle, 1.0));
+  return std::abs(plane.plane.normal.dot(patch.grown.plane.normal)) >
+         std::cos(std::min(angle, 1.0));
 }
 
 }  // namespace scanchor

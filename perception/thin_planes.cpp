@@ -11,7 +11,8 @@
 namespace scanchor {
 namespace {
 
-// Everything the steps share. Labels here are of pool points; planes are numbered as in PlaneLabels.
+// Everything the steps share. Labels here are of pool points; planes are numbered as in
+// PlaneLabels.
 struct Work {
   const PointPool& pool;
   double sigma;
@@ -24,8 +25,9 @@ struct Work {
 
 enum class Grow { claim, find };
 
-// Takes free points within three sigma of the plane from leaf to leaf. A leaf that knows its own plane joins only if it continues
-// this one. While a plane is being found it follows its points, and only leaves that know their plane lead on.
+// Takes free points within three sigma of the plane from leaf to leaf. A leaf that knows its own
+// plane joins only if it continues this one. While a plane is being found it follows its points,
+// and only leaves that know their plane lead on.
 void grow(Work& work, GrownPlane& grown, std::vector<std::uint32_t>& queue, Grow mode,
           std::vector<std::uint32_t>& members) {
   const auto& c = work.pool.cloud;
@@ -43,7 +45,8 @@ void grow(Work& work, GrownPlane& grown, std::vector<std::uint32_t>& queue, Grow
     const double reach = 3.0 * (mode == Grow::find ? work.sigma : grown.sigma);
     const Cell& cell = work.pool.cell(l);
     for (auto p = cell.begin; p < cell.end; ++p) {
-      if (work.label[p] >= 0 || std::abs(grown.plane.distance({c.x[p], c.y[p], c.z[p]})) > reach) continue;
+      if (work.label[p] >= 0 || std::abs(grown.plane.distance({c.x[p], c.y[p], c.z[p]})) > reach)
+        continue;
       any = true;
       members.push_back(p);
       taken.add(c.x[p], c.y[p], c.z[p]);
@@ -74,8 +77,9 @@ void claim(Work& work) {
   }
   std::vector<std::uint32_t> order(work.planes.size()), members;
   std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](auto a, auto b) { return work.planes[a].moments.n > work.planes[b].moments.n; });
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) {
+    return work.planes[a].moments.n > work.planes[b].moments.n;
+  });
   for (const auto r : order) {
     grow(work, work.planes[r], seeds[r], Grow::claim, members);
     for (const auto p : members) work.label[p] = static_cast<std::int32_t>(r);
@@ -109,7 +113,8 @@ void find_more(Work& work) {
 }
 
 // Planes that meet in a leaf or in two neighbouring leaves.
-std::vector<std::pair<std::int32_t, std::int32_t>> meeting_planes(const PointPool& pool, const std::vector<std::int32_t>& label) {
+std::vector<std::pair<std::int32_t, std::int32_t>> meeting_planes(
+    const PointPool& pool, const std::vector<std::int32_t>& label) {
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
   std::vector<std::int32_t> here;
   for (std::uint32_t l = 0; l < pool.leaf.size(); ++l) {
@@ -122,7 +127,8 @@ std::vector<std::pair<std::int32_t, std::int32_t>> meeting_planes(const PointPoo
     };
     look(l);
     for (auto k = pool.start[l]; k < pool.start[l + 1]; ++k) look(pool.to[k]);
-    for (auto k = pool.region_start[l]; k < pool.region_start[l + 1]; ++k) here.push_back(pool.regions[k]);
+    for (auto k = pool.region_start[l]; k < pool.region_start[l + 1]; ++k)
+      here.push_back(pool.regions[k]);
     std::sort(here.begin(), here.end());
     here.erase(std::unique(here.begin(), here.end()), here.end());
     for (std::size_t i = 0; i < here.size(); ++i) {
@@ -134,7 +140,8 @@ std::vector<std::pair<std::int32_t, std::int32_t>> meeting_planes(const PointPoo
   return pairs;
 }
 
-std::vector<std::pair<std::int32_t, std::int32_t>> all_pairs(const std::vector<GrownPlane>& planes) {
+std::vector<std::pair<std::int32_t, std::int32_t>> all_pairs(
+    const std::vector<GrownPlane>& planes) {
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     for (std::size_t j = i + 1; j < planes.size(); ++j) {
@@ -183,10 +190,13 @@ void thin_planes(const CanonicalCloud& cloud, const CellTree& tree, double sigma
   follow(join_planes(all_pairs(work.planes), sigma, surely_same_plane, work.planes));
   choose_planes(pool, sigma, fixed, 2, work.planes, work.label);
 
-  for (std::size_t k = 0; k < pool.place.size(); ++k) labels.of_point[pool.place[k]] = work.label[k];
+  for (std::size_t k = 0; k < pool.place.size(); ++k)
+    labels.of_point[pool.place[k]] = work.label[k];
   for (auto& label : labels.of_point) {
     if (label < 0) continue;
-    if (labels.planes[static_cast<std::size_t>(label)].moments.n < static_cast<double>(fewest_points)) label = -1;
+    if (labels.planes[static_cast<std::size_t>(label)].moments.n <
+        static_cast<double>(fewest_points))
+      label = -1;
   }
 }
 

@@ -8,8 +8,9 @@ namespace scanchor {
 /// Fewest points that make a plane: fewer fit a plane by accident too often (docs/why/planes.md).
 inline constexpr std::size_t fewest_points = 20;
 
-/// Lets the regions of cell_planes claim the pool points on their planes, finds further planes among the rest, and decides for each
-/// pool point between the planes around it. Labels and planes are updated; planes of fewer than `fewest_points` are dissolved.
+/// Lets the regions of cell_planes claim the pool points on their planes, finds further planes
+/// among the rest, and decides for each pool point between the planes around it. Labels and planes
+/// are updated; planes of fewer than `fewest_points` are dissolved.
 void thin_planes(const CanonicalCloud& cloud, const CellTree& tree, double sigma,
                  const std::vector<std::int32_t>& region_of_cell, PlaneLabels& labels);
 

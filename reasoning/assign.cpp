@@ -14,7 +14,8 @@ namespace {
 
 constexpr double negligible = 1e-4;
 
-/// The class above: what it is a kind of, else what it is a part of. Who sees a piece of a wall sees a wall.
+/// The class above: what it is a kind of, else what it is a part of. Who sees a piece of a wall
+/// sees a wall.
 int class_above(const Ontology& ontology, int c) {
   const auto& description = ontology.classes[c];
   if (!description.parent.empty()) return ontology.find(description.parent);
@@ -29,7 +30,8 @@ bool is_ancestor(const Ontology& ontology, int ancestor, int c) {
   return false;
 }
 
-/// A part that is only held together by its group (a board of a shelf) is nothing by itself: it counts through the group.
+/// A part that is only held together by its group (a board of a shelf) is nothing by itself: it
+/// counts through the group.
 bool only_a_member(const Ontology& ontology, int c) {
   const auto& description = ontology.classes[c];
   if (description.part_of.empty()) return false;
@@ -50,8 +52,10 @@ struct Scored {
   double score;
 };
 
-/// p(c|e) = exp S_c / (pi_0 + sum exp S_k), reasoning.md 2.4; a class's probability includes that of its kinds and parts.
-void distribute(Entity& entity, const std::vector<Scored>& scored, const Ontology& ontology, double applies) {
+/// p(c|e) = exp S_c / (pi_0 + sum exp S_k), reasoning.md 2.4; a class's probability includes that
+/// of its kinds and parts.
+void distribute(Entity& entity, const std::vector<Scored>& scored, const Ontology& ontology,
+                double applies) {
   const double unknown = std::log(unknown_prior_of(ontology));
   double top = unknown;
   for (const auto& s : scored) top = std::max(top, s.score);
@@ -76,14 +80,16 @@ void distribute(Entity& entity, const std::vector<Scored>& scored, const Ontolog
                    [](const auto& a, const auto& b) { return a.probability > b.probability; });
 }
 
-/// Where only the parts of a class speak for it, the likeliest part is what is named: the whole's own clauses do not hold here.
+/// Where only the parts of a class speak for it, the likeliest part is what is named: the whole's
+/// own clauses do not hold here.
 void name_the_part(Entity& entity, const std::vector<Scored>& scored, const Ontology& ontology) {
   if (entity.label == "unknown" || entity.label == "ambiguous") return;
   const int named = ontology.find(entity.label);
   const Scored* best = nullptr;
   for (const auto& s : scored) {
     if (s.class_index == named) return;
-    if (is_ancestor(ontology, named, s.class_index) && (best == nullptr || s.score > best->score)) best = &s;
+    if (is_ancestor(ontology, named, s.class_index) && (best == nullptr || s.score > best->score))
+      best = &s;
   }
   if (best != nullptr) entity.label = ontology.classes[best->class_index].name();
 }
@@ -131,7 +137,8 @@ Entity make_entity(const Item& item, const Eigen::Matrix3d& R) {
   std::array<Side, 3> sides = {{{2.0 * item.half_length, item.along},
                                 {2.0 * item.half_width, item.across},
                                 {item.group ? item.z_high - item.z_low : 0.0, third}}};
-  std::stable_sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.length > b.length; });
+  std::stable_sort(sides.begin(), sides.end(),
+                   [](const Side& a, const Side& b) { return a.length > b.length; });
   Eigen::Matrix3d axes;
   for (int i = 0; i < 3; ++i) {
     entity.size[i] = sides[i].length;
@@ -154,7 +161,8 @@ void decide(Entity& entity, const Ontology& ontology, const ReasonOptions& optio
   for (const auto& c : entity.classes) {
     if (c.name == "unknown") continue;
     if (best != nullptr && c.probability < options.report_probability) break;
-    const bool more_specific = best != nullptr && is_ancestor(ontology, ontology.find(best->name), ontology.find(c.name));
+    const bool more_specific =
+        best != nullptr && is_ancestor(ontology, ontology.find(best->name), ontology.find(c.name));
     if (best == nullptr || more_specific) best = &c;
   }
   if (best == nullptr) return;
@@ -176,11 +184,13 @@ void decide(Entity& entity, const Ontology& ontology, const ReasonOptions& optio
   }
 }
 
-void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontology& ontology, const ReasonOptions& options,
-                   const Eigen::Matrix3d& R, double upright, Labelling& labelling) {
+void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontology& ontology,
+                   const ReasonOptions& options, const Eigen::Matrix3d& R, double upright,
+                   Labelling& labelling) {
   const auto& items = matcher.items();
   std::unordered_map<std::string, int> class_of;  // looked up, never walked through
-  for (std::size_t c = 0; c < ontology.classes.size(); ++c) class_of.emplace(ontology.classes[c].name(), static_cast<int>(c));
+  for (std::size_t c = 0; c < ontology.classes.size(); ++c)
+    class_of.emplace(ontology.classes[c].name(), static_cast<int>(c));
   const auto find = [&](const std::string& label) {
     const auto at = class_of.find(label);
     return at != class_of.end() ? at->second : -1;
@@ -196,8 +206,10 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
   for (const auto& item : items) {
     Entity entity = make_entity(item, R);
     if (!item.group) {
-      // A bent surface speaks against every flat thing, by at most four to one: floors of real scans are a little bent too.
-      const double bent = std::log(0.25 + 0.75 * std::clamp(surfaces.surfaces[item.id].confidence, 0.0, 1.0));
+      // A bent surface speaks against every flat thing, by at most four to one: floors of real
+      // scans are a little bent too.
+      const double bent =
+          std::log(0.25 + 0.75 * std::clamp(surfaces.surfaces[item.id].confidence, 0.0, 1.0));
       for (auto& s : scored[item.id]) s.score += bent;
     }
     distribute(entity, scored[item.id], ontology, upright);
@@ -205,16 +217,19 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
     name_the_part(entity, scored[item.id], ontology);
     const auto best = std::find_if(entity.classes.begin(), entity.classes.end(),
                                    [](const auto& c) { return c.name != "unknown"; });
-    const std::string& proved = entity.label != "unknown" && entity.label != "ambiguous" ? entity.label
-                                : best != entity.classes.end()                           ? best->name
-                                                                                         : entity.label;
-    if (const int c = find(proved); c >= 0) entity.proof = make_proof(matcher, ontology, c, item.id);
+    const std::string& proved = entity.label != "unknown" && entity.label != "ambiguous"
+                                    ? entity.label
+                                : best != entity.classes.end() ? best->name
+                                                               : entity.label;
+    if (const int c = find(proved); c >= 0)
+      entity.proof = make_proof(matcher, ontology, c, item.id);
     labelling.entities.push_back(std::move(entity));
   }
 
   auto& entities = labelling.entities;
   labelling.entity_of_surface.resize(matcher.surface_count());
-  for (std::size_t i = 0; i < matcher.surface_count(); ++i) labelling.entity_of_surface[i] = static_cast<std::int32_t>(i);
+  for (std::size_t i = 0; i < matcher.surface_count(); ++i)
+    labelling.entity_of_surface[i] = static_cast<std::int32_t>(i);
 
   // Groups that are what they seem own their members; a member of two goes to the likelier group.
   std::vector<std::int32_t> groups;
@@ -223,8 +238,9 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
     if (item.group && c >= 0) groups.push_back(item.id);
   }
   std::stable_sort(groups.begin(), groups.end(), [&](std::int32_t a, std::int32_t b) {
-    return entities[a].probability != entities[b].probability ? entities[a].probability > entities[b].probability
-                                                              : entities[a].members.size() > entities[b].members.size();
+    return entities[a].probability != entities[b].probability
+               ? entities[a].probability > entities[b].probability
+               : entities[a].members.size() > entities[b].members.size();
   });
   for (const auto g : groups) {
     const bool free = std::all_of(entities[g].members.begin(), entities[g].members.end(),
@@ -248,7 +264,8 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
     for (const auto& clause : entity.proof) {
       if (clause.target_class != ontology.classes[c].part_of || clause.targets.empty()) continue;
       const std::int32_t whole = clause.targets.front();
-      if (whole == static_cast<std::int32_t>(i) || entities[whole].label != clause.target_class) continue;
+      if (whole == static_cast<std::int32_t>(i) || entities[whole].label != clause.target_class)
+        continue;
       entity.whole = whole;
       labelling.entity_of_surface[i] = whole;
       entities[whole].surfaces.push_back(static_cast<std::int32_t>(i));
@@ -256,7 +273,8 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
     }
   }
 
-  // Faces of one thing: they meet at a right angle and are of one class that may have several faces.
+  // Faces of one thing: they meet at a right angle and are of one class that may have several
+  // faces.
   for (std::size_t i = 0; i < matcher.surface_count(); ++i) {
     const int c = find(entities[i].label);
     if (c < 0 || !ontology.classes[c].several_faces || entities[i].whole >= 0) continue;

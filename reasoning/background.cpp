@@ -25,27 +25,35 @@ void apply_background(Ontology& ontology, const Background& background) {
 
 namespace {
 
-/// Share of [low, high] that a range covers, sizes being spread evenly over their logarithm: as many small things as large ones.
+/// Share of [low, high] that a range covers, sizes being spread evenly over their logarithm: as
+/// many small things as large ones.
 double log_share(const Range& range, double low, double high) {
   const double a = std::clamp(range.low, low, high);
   const double b = std::clamp(range.high, low, high);
   return std::clamp(std::log(b / a) / std::log(high / low), 0.02, 0.98);
 }
 
-/// What a random surface of a room satisfies, as long as nobody has counted: areas from 0.01 to 30 m2, lengths from 0.1 to 6 m.
+/// What a random surface of a room satisfies, as long as nobody has counted: areas from 0.01 to 30
+/// m2, lengths from 0.1 to 6 m.
 double feature_share(const Clause& clause) {
   switch (clause.feature) {
-    case Feature::area: return log_share(clause.range, 0.01, 30.0);
-    case Feature::extension: return log_share(clause.range, 0.1, 6.0);
+    case Feature::area:
+      return log_share(clause.range, 0.01, 30.0);
+    case Feature::extension:
+      return log_share(clause.range, 0.1, 6.0);
     case Feature::width:
-    case Feature::height: return log_share(clause.range, 0.03, 6.0);
-    default: return 0.5;
+    case Feature::height:
+      return log_share(clause.range, 0.03, 6.0);
+    default:
+      return 0.5;
   }
 }
 
-/// Heights are spread evenly from the floor to 3 m; never below 0.1, since much of a room is at a few levels.
+/// Heights are spread evenly from the floor to 3 m; never below 0.1, since much of a room is at a
+/// few levels.
 double level_share(const Range& range) {
-  return std::clamp((std::clamp(range.high, 0.0, 3.0) - std::clamp(range.low, 0.0, 3.0)) / 3.0, 0.1, 0.98);
+  return std::clamp((std::clamp(range.high, 0.0, 3.0) - std::clamp(range.low, 0.0, 3.0)) / 3.0, 0.1,
+                    0.98);
 }
 
 }  // namespace
@@ -65,42 +73,67 @@ double default_hit_rate(const Clause& clause) {
 }
 
 double default_background(const Clause& clause) {
-  // Parallel to a floor 0.4, orthogonal 0.5, above 0.15, on 0.05: assumed shares of the surfaces of a room.
+  // Parallel to a floor 0.4, orthogonal 0.5, above 0.15, on 0.05: assumed shares of the surfaces of
+  // a room.
   const auto of_terms = [](const std::vector<RelationTerm>& terms) {
     double product = 1.0;
     for (const auto& term : terms) {
       switch (term.relation) {
-        case Relation::parallel: product *= 0.4; break;
-        case Relation::orthogonal: product *= 0.5; break;
+        case Relation::parallel:
+          product *= 0.4;
+          break;
+        case Relation::orthogonal:
+          product *= 0.5;
+          break;
         case Relation::above:
-        case Relation::below: product *= 0.15; break;
+        case Relation::below:
+          product *= 0.15;
+          break;
         case Relation::on:
         case Relation::supports:
-        case Relation::inside: product *= 0.05; break;
+        case Relation::inside:
+          product *= 0.05;
+          break;
         case Relation::higher:
-        case Relation::lower: product *= 0.5; break;
+        case Relation::lower:
+          product *= 0.5;
+          break;
         case Relation::elevation:
         case Relation::bottom:
-        case Relation::top: product *= level_share(term.range); break;
-        default: product *= 0.15; break;
+        case Relation::top:
+          product *= level_share(term.range);
+          break;
+        default:
+          product *= 0.15;
+          break;
       }
     }
     return std::max(product, 0.02);
   };
   switch (clause.kind) {
-    case ClauseKind::feature: return feature_share(clause);
-    case ClauseKind::horizontal: return 0.4;
-    case ClauseKind::vertical: return 0.5;
-    case ClauseKind::rectangular: return 0.5;
-    case ClauseKind::extremum: return 0.1;
-    case ClauseKind::relation: return of_terms(clause.relations);
-    case ClauseKind::negation: return 1.0 - of_terms(clause.relations);
-    case ClauseKind::group: return 0.02;
+    case ClauseKind::feature:
+      return feature_share(clause);
+    case ClauseKind::horizontal:
+      return 0.4;
+    case ClauseKind::vertical:
+      return 0.5;
+    case ClauseKind::rectangular:
+      return 0.5;
+    case ClauseKind::extremum:
+      return 0.1;
+    case ClauseKind::relation:
+      return of_terms(clause.relations);
+    case ClauseKind::negation:
+      return 1.0 - of_terms(clause.relations);
+    case ClauseKind::group:
+      return 0.02;
   }
   return 0.2;
 }
 
-double hit_rate_of(const Clause& clause) { return clause.hit_rate >= 0.0 ? clause.hit_rate : default_hit_rate(clause); }
+double hit_rate_of(const Clause& clause) {
+  return clause.hit_rate >= 0.0 ? clause.hit_rate : default_hit_rate(clause);
+}
 
 double background_of(const Clause& clause) {
   return clause.background >= 0.0 ? clause.background : default_background(clause);
@@ -113,6 +146,8 @@ double prior_of(const Ontology& ontology, int class_index) {
   return 0.5 / static_cast<double>(ontology.classes.size());
 }
 
-double unknown_prior_of(const Ontology& ontology) { return ontology.unknown_prior > 0.0 ? ontology.unknown_prior : 0.5; }
+double unknown_prior_of(const Ontology& ontology) {
+  return ontology.unknown_prior > 0.0 ? ontology.unknown_prior : 0.5;
+}
 
 }  // namespace scanchor

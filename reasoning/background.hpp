@@ -1,5 +1,6 @@
 #pragma once
-// How often a clause holds for things of its class and for anything else: counted on training scenes, kept beside the class file.
+// How often a clause holds for things of its class and for anything else: counted on training
+// scenes, kept beside the class file.
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
@@ -13,9 +14,9 @@ namespace scanchor {
 /// `<ontology>.background.json`: documented in docs/reference/sdl.md.
 struct ClauseRates {
   std::string class_name;
-  std::string clause;          ///< clause_text
-  double hit_rate = 0.0;       ///< (0, 1) mean value of the clause over entities of the class
-  double background = 0.0;     ///< (0, 1) mean value over all others
+  std::string clause;       ///< clause_text
+  double hit_rate = 0.0;    ///< (0, 1) mean value of the clause over entities of the class
+  double background = 0.0;  ///< (0, 1) mean value over all others
 };
 
 struct Background {

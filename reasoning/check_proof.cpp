@@ -12,8 +12,10 @@ namespace {
 constexpr double gate = 0.05;
 constexpr double to_degrees = 57.29577951308232;
 
-/// The corners of an entity's outline in the cloud's frame: those of its surface, or of all members of a group.
-void outline(const Surfaces& surfaces, const Labelling& labelling, std::int32_t id, std::vector<Eigen::Vector3d>& points) {
+/// The corners of an entity's outline in the cloud's frame: those of its surface, or of all members
+/// of a group.
+void outline(const Surfaces& surfaces, const Labelling& labelling, std::int32_t id,
+             std::vector<Eigen::Vector3d>& points) {
   const Entity& entity = labelling.entities[static_cast<std::size_t>(id)];
   if (!entity.members.empty()) {
     for (const auto m : entity.members) outline(surfaces, labelling, m, points);
@@ -21,7 +23,8 @@ void outline(const Surfaces& surfaces, const Labelling& labelling, std::int32_t 
   }
   const auto& surface = surfaces.surfaces[static_cast<std::size_t>(id)];
   for (const auto& polygon : surface.polygons) {
-    for (const auto& p : polygon.outer) points.push_back(surface.T_cloud_surface * Eigen::Vector3d(p.x(), p.y(), 0.0));
+    for (const auto& p : polygon.outer)
+      points.push_back(surface.T_cloud_surface * Eigen::Vector3d(p.x(), p.y(), 0.0));
   }
 }
 
@@ -35,7 +38,8 @@ std::vector<Eigen::Vector3d> grid(const Surface& surface) {
   const int m = std::clamp(static_cast<int>(r.width.value / 0.02), 2, 160);
   for (int i = 0; i <= n; ++i) {
     for (int j = 0; j <= m; ++j) {
-      const Eigen::Vector2d p = r.center + u * (r.length.value * (i / double(n) - 0.5)) + v * (r.width.value * (j / double(m) - 0.5));
+      const Eigen::Vector2d p = r.center + u * (r.length.value * (i / double(n) - 0.5)) +
+                                v * (r.width.value * (j / double(m) - 0.5));
       points.push_back(surface.T_cloud_surface * Eigen::Vector3d(p.x(), p.y(), 0.0));
     }
   }
@@ -74,7 +78,9 @@ class Checker {
   }
 
  private:
-  void fault(std::int32_t id, const std::string& clause, const std::string& text) { faults.push_back({id, clause, text}); }
+  void fault(std::int32_t id, const std::string& clause, const std::string& text) {
+    faults.push_back({id, clause, text});
+  }
 
   void check_clauses(std::int32_t id, const std::string& class_name) {
     const Entity& entity = labelling_.entities[static_cast<std::size_t>(id)];
@@ -85,8 +91,9 @@ class Checker {
     }
     const auto clauses = all_clauses(ontology_, c);
     if (clauses.size() != entity.proof.size()) {
-      fault(id, "", "the proof has " + std::to_string(entity.proof.size()) + " clauses, the description " +
-                        std::to_string(clauses.size()));
+      fault(id, "",
+            "the proof has " + std::to_string(entity.proof.size()) + " clauses, the description " +
+                std::to_string(clauses.size()));
       return;
     }
     for (std::size_t i = 0; i < clauses.size(); ++i) {
@@ -96,19 +103,23 @@ class Checker {
         fault(id, claim.text, "is no clause of '" + class_name + "'");
         continue;
       }
-      if (!(claim.likelihood >= 0.0 && claim.likelihood <= 1.0)) fault(id, claim.text, "likelihood outside [0, 1]");
-      if (!clause.usually && claim.likelihood < gate) fault(id, claim.text, "a required clause is below 0.05");
+      if (!(claim.likelihood >= 0.0 && claim.likelihood <= 1.0))
+        fault(id, claim.text, "likelihood outside [0, 1]");
+      if (!clause.usually && claim.likelihood < gate)
+        fault(id, claim.text, "a required clause is below 0.05");
       check_measurement(id, clause, claim);
       for (const auto t : claim.targets) check_target(id, clause, claim, t);
     }
   }
 
-  void check_target(std::int32_t id, const Clause& clause, const ProofClause& claim, std::int32_t t) {
+  void check_target(std::int32_t id, const Clause& clause, const ProofClause& claim,
+                    std::int32_t t) {
     if (t < 0 || static_cast<std::size_t>(t) >= labelling_.entities.size()) {
       fault(id, claim.text, "names entity " + std::to_string(t) + ", which is not there");
       return;
     }
-    if (clause.usually || clause.kind == ClauseKind::negation || clause.kind == ClauseKind::group) return;
+    if (clause.usually || clause.kind == ClauseKind::negation || clause.kind == ClauseKind::group)
+      return;
     const Entity& target = labelling_.entities[static_cast<std::size_t>(t)];
     const int wanted = ontology_.find(clause.target);
     bool among = false;
@@ -125,22 +136,29 @@ class Checker {
     const auto expected = measure(id, clause, claim, tolerance);
     if (!expected) return;
     if (std::abs(*expected - claim.measured) > tolerance + 1e-6 * std::abs(*expected)) {
-      fault(id, claim.text, "says " + std::to_string(claim.measured) + ", the surfaces give " + std::to_string(*expected));
+      fault(id, claim.text,
+            "says " + std::to_string(claim.measured) + ", the surfaces give " +
+                std::to_string(*expected));
       return;
     }
     if (clause.kind != ClauseKind::feature) return;
-    // Sides of a limit: far inside must be likely, far outside unlikely unless the rest may lie in a shadow.
+    // Sides of a limit: far inside must be likely, far outside unlikely unless the rest may lie in
+    // a shadow.
     const bool cut = !labelling_.entities[static_cast<std::size_t>(id)].members.empty() ||
                      surfaces_.surfaces[static_cast<std::size_t>(id)].occluded_outline > 0.0;
     const auto outside = [&](double limit, double sign) {
-      const double soft = 3.0 * std::hypot(claim.sigma, (clause.feature == Feature::area ? 0.15 : 0.10) * limit);
+      const double soft =
+          3.0 * std::hypot(claim.sigma, (clause.feature == Feature::area ? 0.15 : 0.10) * limit);
       return std::isfinite(limit) ? sign * (*expected - limit) / std::max(soft, 1e-9) : -2.0;
     };
     const double above = outside(clause.range.high, 1.0);
     const double below = outside(clause.range.low, -1.0);
-    if (std::max(above, below) < -1.0 && claim.likelihood < 0.5) fault(id, claim.text, "holds clearly, the proof denies it");
-    if (above > 1.0 && claim.likelihood > 0.5) fault(id, claim.text, "fails clearly, the proof affirms it");
-    if (below > 1.0 && !cut && claim.likelihood > 0.5) fault(id, claim.text, "fails clearly, the proof affirms it");
+    if (std::max(above, below) < -1.0 && claim.likelihood < 0.5)
+      fault(id, claim.text, "holds clearly, the proof denies it");
+    if (above > 1.0 && claim.likelihood > 0.5)
+      fault(id, claim.text, "fails clearly, the proof affirms it");
+    if (below > 1.0 && !cut && claim.likelihood > 0.5)
+      fault(id, claim.text, "fails clearly, the proof affirms it");
   }
 
   Span span(std::int32_t id) const {
@@ -155,8 +173,10 @@ class Checker {
     return s;
   }
 
-  /// What plain geometry gives for the clause's number; nothing where the number is no plain measurement.
-  std::optional<double> measure(std::int32_t id, const Clause& clause, const ProofClause& claim, double& tolerance) const {
+  /// What plain geometry gives for the clause's number; nothing where the number is no plain
+  /// measurement.
+  std::optional<double> measure(std::int32_t id, const Clause& clause, const ProofClause& claim,
+                                double& tolerance) const {
     const bool single = labelling_.entities[static_cast<std::size_t>(id)].members.empty();
     if (claim.unit.empty()) return std::nullopt;
     if (single) {
@@ -164,15 +184,20 @@ class Checker {
       const Eigen::Vector3d& n = surface.plane.normal;
       if (clause.kind == ClauseKind::feature) {
         switch (clause.feature) {
-          case Feature::area: return surface.area.value;
-          case Feature::extension: return surface.rectangle.length.value;
-          case Feature::width: return surface.rectangle.width.value;
-          case Feature::rectangularness: return surface.rectangularness;
+          case Feature::area:
+            return surface.area.value;
+          case Feature::extension:
+            return surface.rectangle.length.value;
+          case Feature::width:
+            return surface.rectangle.width.value;
+          case Feature::rectangularness:
+            return surface.rectangularness;
           case Feature::height: {
             const Span s = span(id);
             return s.high - s.low;
           }
-          case Feature::elongation: return surface.rectangle.length.value / std::max(surface.rectangle.width.value, 1e-3);
+          case Feature::elongation:
+            return surface.rectangle.length.value / std::max(surface.rectangle.width.value, 1e-3);
         }
       }
       if (clause.kind == ClauseKind::rectangular) return surface.rectangularness;
@@ -184,7 +209,9 @@ class Checker {
     } else if (clause.kind == ClauseKind::group) {
       return static_cast<double>(labelling_.entities[static_cast<std::size_t>(id)].members.size());
     }
-    if (clause.kind != ClauseKind::relation || claim.targets.size() != 1 || clause.relations.size() != 1) return std::nullopt;
+    if (clause.kind != ClauseKind::relation || claim.targets.size() != 1 ||
+        clause.relations.size() != 1)
+      return std::nullopt;
     const std::int32_t t = claim.targets.front();
     if (t < 0 || static_cast<std::size_t>(t) >= labelling_.entities.size()) return std::nullopt;
     const bool both = single && labelling_.entities[static_cast<std::size_t>(t)].members.empty();
@@ -192,24 +219,35 @@ class Checker {
     const Span b = span(t);
     tolerance = 1e-4;
     switch (clause.relations.front().relation) {
-      case Relation::elevation: return a.middle - b.middle;
-      case Relation::bottom: return a.low - b.middle;
-      case Relation::top: return a.high - b.middle;
-      case Relation::above: return a.low - b.high;
-      case Relation::below: return b.low - a.high;
-      case Relation::on: return a.low - b.high;
-      case Relation::higher: return a.middle - b.middle;
-      case Relation::lower: return b.middle - a.middle;
-      default: break;
+      case Relation::elevation:
+        return a.middle - b.middle;
+      case Relation::bottom:
+        return a.low - b.middle;
+      case Relation::top:
+        return a.high - b.middle;
+      case Relation::above:
+        return a.low - b.high;
+      case Relation::below:
+        return b.low - a.high;
+      case Relation::on:
+        return a.low - b.high;
+      case Relation::higher:
+        return a.middle - b.middle;
+      case Relation::lower:
+        return b.middle - a.middle;
+      default:
+        break;
     }
     if (!both) return std::nullopt;
     const auto& sa = surfaces_.surfaces[static_cast<std::size_t>(id)];
     const auto& sb = surfaces_.surfaces[static_cast<std::size_t>(t)];
-    const double angle = std::acos(std::min(1.0, std::abs(sa.plane.normal.dot(sb.plane.normal)))) * to_degrees;
+    const double angle =
+        std::acos(std::min(1.0, std::abs(sa.plane.normal.dot(sb.plane.normal)))) * to_degrees;
     tolerance = 1e-3;
     switch (clause.relations.front().relation) {
       case Relation::parallel:
-      case Relation::orthogonal: return angle;
+      case Relation::orthogonal:
+        return angle;
       case Relation::near:
       case Relation::touching: {
         double best = INFINITY;
@@ -218,7 +256,8 @@ class Checker {
         tolerance = 0.02;
         return best;
       }
-      default: return std::nullopt;
+      default:
+        return std::nullopt;
     }
   }
 
@@ -230,8 +269,8 @@ class Checker {
 
 }  // namespace
 
-std::vector<ProofFault> check_proof(const Surfaces& surfaces, const Ontology& ontology, const Labelling& labelling,
-                                    std::int32_t entity) {
+std::vector<ProofFault> check_proof(const Surfaces& surfaces, const Ontology& ontology,
+                                    const Labelling& labelling, std::int32_t entity) {
   Checker checker(surfaces, ontology, labelling);
   if (entity < 0 || static_cast<std::size_t>(entity) >= labelling.entities.size()) {
     checker.faults.push_back({entity, "", "there is no such entity"});

@@ -17,8 +17,8 @@ Quad corners(const Item& item) {
 }
 
 /// Squared distance of two segments; Ericson, Real-Time Collision Detection, 5.1.9.
-double segment_segment(const Eigen::Vector3d& p1, const Eigen::Vector3d& q1, const Eigen::Vector3d& p2,
-                       const Eigen::Vector3d& q2) {
+double segment_segment(const Eigen::Vector3d& p1, const Eigen::Vector3d& q1,
+                       const Eigen::Vector3d& p2, const Eigen::Vector3d& q2) {
   const Eigen::Vector3d d1 = q1 - p1;
   const Eigen::Vector3d d2 = q2 - p2;
   const Eigen::Vector3d r = p1 - p2;
@@ -48,10 +48,13 @@ double segment_segment(const Eigen::Vector3d& p1, const Eigen::Vector3d& q1, con
   return (p1 + d1 * s - p2 - d2 * t).squaredNorm();
 }
 
-/// Distance of a point to the rectangle where it projects into it, squared; infinite elsewhere (edges answer for that).
+/// Distance of a point to the rectangle where it projects into it, squared; infinite elsewhere
+/// (edges answer for that).
 double point_face(const Eigen::Vector3d& p, const Item& face) {
   const Eigen::Vector3d d = p - face.center;
-  if (std::abs(d.dot(face.along)) > face.half_length || std::abs(d.dot(face.across)) > face.half_width) return INFINITY;
+  if (std::abs(d.dot(face.along)) > face.half_length ||
+      std::abs(d.dot(face.across)) > face.half_width)
+    return INFINITY;
   const Eigen::Vector3d n = face.along.cross(face.across);
   return n.dot(d) * n.dot(d);
 }
@@ -63,7 +66,8 @@ bool pierces(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Item& fac
   const double b = n.dot(q - face.center);
   if (a * b > 0.0 || a == b) return false;
   const Eigen::Vector3d d = p + (q - p) * (a / (a - b)) - face.center;
-  return std::abs(d.dot(face.along)) <= face.half_length && std::abs(d.dot(face.across)) <= face.half_width;
+  return std::abs(d.dot(face.along)) <= face.half_length &&
+         std::abs(d.dot(face.across)) <= face.half_width;
 }
 
 double rectangles(const Item& a, const Item& b) {
@@ -83,8 +87,8 @@ double rectangles(const Item& a, const Item& b) {
 using Polygon2 = std::array<Eigen::Vector2d, 12>;
 
 std::array<Eigen::Vector2d, 4> footprint_corners(const Footprint& f) {
-  std::array<Eigen::Vector2d, 4> c = {f.center - f.u - f.v, f.center + f.u - f.v, f.center + f.u + f.v,
-                                      f.center - f.u + f.v};
+  std::array<Eigen::Vector2d, 4> c = {f.center - f.u - f.v, f.center + f.u - f.v,
+                                      f.center + f.u + f.v, f.center - f.u + f.v};
   if (f.u.x() * f.v.y() - f.u.y() * f.v.x() < 0.0) std::swap(c[1], c[3]);  // counter-clockwise
   return c;
 }
@@ -97,7 +101,8 @@ double footprint_gap(const Footprint& a, const Footprint& b) {
   double best = INFINITY;
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 4; ++j) {
-      best = std::min(best, segment_segment(lift(ca[i]), lift(ca[(i + 1) % 4]), lift(cb[j]), lift(cb[(j + 1) % 4])));
+      best = std::min(best, segment_segment(lift(ca[i]), lift(ca[(i + 1) % 4]), lift(cb[j]),
+                                            lift(cb[(j + 1) % 4])));
     }
   }
   return std::sqrt(best);
@@ -125,7 +130,9 @@ double footprint_overlap(const Footprint& a, const Footprint& b) {
   for (int side = 0; side < 4 && count > 0; ++side) {
     const Eigen::Vector2d p = cb[side];
     const Eigen::Vector2d d = cb[(side + 1) % 4] - p;
-    const auto inside = [&](const Eigen::Vector2d& q) { return d.x() * (q.y() - p.y()) - d.y() * (q.x() - p.x()); };
+    const auto inside = [&](const Eigen::Vector2d& q) {
+      return d.x() * (q.y() - p.y()) - d.y() * (q.x() - p.x());
+    };
     int kept = 0;
     double here = inside(polygon[0]);
     for (int i = 0; i < count; ++i) {
@@ -133,7 +140,8 @@ double footprint_overlap(const Footprint& a, const Footprint& b) {
       const Eigen::Vector2d& to = polygon[(i + 1) % count];
       const double there = inside(to);
       if (here >= 0.0) next[kept++] = from;
-      if ((here >= 0.0) != (there >= 0.0)) next[kept++] = from + (to - from) * (here / (here - there));
+      if ((here >= 0.0) != (there >= 0.0))
+        next[kept++] = from + (to - from) * (here / (here - there));
       here = there;
     }
     count = kept;

@@ -39,18 +39,20 @@ std::string verdict(double likelihood) {
 const Entity& entity_of(const Labelling& labelling, std::int32_t id) {
   if (id < 0 || static_cast<std::size_t>(id) >= labelling.entities.size()) {
     fail_usage("there is no entity " + std::to_string(id),
-               labelling.entities.empty() ? "the labelling is empty"
-                                          : "they are numbered 0 to " + std::to_string(labelling.entities.size() - 1));
+               labelling.entities.empty()
+                   ? "the labelling is empty"
+                   : "they are numbered 0 to " + std::to_string(labelling.entities.size() - 1));
   }
   return labelling.entities[static_cast<std::size_t>(id)];
 }
 
 std::string with_article(const std::string& noun) {
-  return (std::string_view("aeiou").find(noun.front()) != std::string_view::npos ? "an " : "a ") + noun;
+  return (std::string_view("aeiou").find(noun.front()) != std::string_view::npos ? "an " : "a ") +
+         noun;
 }
 
-void explain_one(const Labelling& labelling, std::int32_t id, std::set<std::int32_t>& done, std::vector<std::int32_t>& next,
-                 std::string& out) {
+void explain_one(const Labelling& labelling, std::int32_t id, std::set<std::int32_t>& done,
+                 std::vector<std::int32_t>& next, std::string& out) {
   const Entity& entity = entity_of(labelling, id);
   done.insert(id);
   out += std::to_string(id) + " is ";
@@ -81,7 +83,8 @@ void explain_one(const Labelling& labelling, std::int32_t id, std::set<std::int3
       out += " on";
       for (const auto t : clause.targets) {
         out += " " + std::to_string(t);
-        if (done.count(t) == 0 && std::find(next.begin(), next.end(), t) == next.end()) next.push_back(t);
+        if (done.count(t) == 0 && std::find(next.begin(), next.end(), t) == next.end())
+          next.push_back(t);
       }
     } else if (!clause.target_class.empty() && clause.unit.empty()) {
       out += ", there is no " + clause.target_class;
@@ -91,16 +94,23 @@ void explain_one(const Labelling& labelling, std::int32_t id, std::set<std::int3
 }
 
 /// Where the likelihood of a clause passes one half: the limit that is missed.
-void needed_value(const Clause& clause, const Item& item, const ClauseValue& value, const std::vector<Item>& items,
-                  const Surrounding& around, WhyNot& answer) {
+void needed_value(const Clause& clause, const Item& item, const ClauseValue& value,
+                  const std::vector<Item>& items, const Surrounding& around, WhyNot& answer) {
   const auto nearest_limit = [&](double low, double high) {
     answer.needed = answer.measured < low ? low : high;
-    answer.has_needed = std::isfinite(answer.needed) && (answer.measured < low || answer.measured > high);
+    answer.has_needed =
+        std::isfinite(answer.needed) && (answer.measured < low || answer.measured > high);
   };
   switch (clause.kind) {
-    case ClauseKind::feature: nearest_limit(clause.range.low, clause.range.high); return;
-    case ClauseKind::rectangular: nearest_limit(0.8, INFINITY); return;
-    case ClauseKind::horizontal: nearest_limit(-INFINITY, clause.range.has_high() ? clause.range.high : 5.0); return;
+    case ClauseKind::feature:
+      nearest_limit(clause.range.low, clause.range.high);
+      return;
+    case ClauseKind::rectangular:
+      nearest_limit(0.8, INFINITY);
+      return;
+    case ClauseKind::horizontal:
+      nearest_limit(-INFINITY, clause.range.has_high() ? clause.range.high : 5.0);
+      return;
     case ClauseKind::vertical: {
       const double tolerance = clause.range.has_high() ? clause.range.high : 5.0;
       nearest_limit(90.0 - tolerance, 90.0 + tolerance);
@@ -108,13 +118,16 @@ void needed_value(const Clause& clause, const Item& item, const ClauseValue& val
     }
     case ClauseKind::extremum:
       if (clause.extremum == Extremum::outermost) nearest_limit(-INFINITY, 0.02);
-      if (clause.extremum == Extremum::lowest || clause.extremum == Extremum::highest) nearest_limit(-INFINITY, 0.10);
+      if (clause.extremum == Extremum::lowest || clause.extremum == Extremum::highest)
+        nearest_limit(-INFINITY, 0.10);
       return;
     case ClauseKind::group:
       nearest_limit(clause.count_low, clause.count_high);
       return;
-    case ClauseKind::relation: break;
-    case ClauseKind::negation: return;
+    case ClauseKind::relation:
+      break;
+    case ClauseKind::negation:
+      return;
   }
   if (value.target < 0) return;
   // The weakest relation of the conjunction is the one to mend.
@@ -129,22 +142,45 @@ void needed_value(const Clause& clause, const Item& item, const ClauseValue& val
   }
   if (weakest == nullptr) return;
   switch (weakest->relation) {
-    case Relation::parallel: nearest_limit(-INFINITY, 5.0); break;
-    case Relation::orthogonal: nearest_limit(85.0, 95.0); break;
+    case Relation::parallel:
+      nearest_limit(-INFINITY, 5.0);
+      break;
+    case Relation::orthogonal:
+      nearest_limit(85.0, 95.0);
+      break;
     case Relation::above:
-    case Relation::below: nearest_limit(-0.05, INFINITY); break;
+    case Relation::below:
+      nearest_limit(-0.05, INFINITY);
+      break;
     case Relation::on:
-    case Relation::supports: nearest_limit(-0.03, 0.15); break;
-    case Relation::inside: nearest_limit(0.8, INFINITY); break;
-    case Relation::near: nearest_limit(-INFINITY, weakest->range.has_high() ? weakest->range.high : 0.5); break;
-    case Relation::touching: nearest_limit(-INFINITY, 0.05); break;
-    case Relation::same_size: nearest_limit(1.0 / 1.15, 1.15); break;
-    case Relation::aligned: nearest_limit(-INFINITY, 0.15); break;
-    case Relation::coplanar: nearest_limit(-INFINITY, weakest->range.has_high() ? weakest->range.high : 0.03); break;
+    case Relation::supports:
+      nearest_limit(-0.03, 0.15);
+      break;
+    case Relation::inside:
+      nearest_limit(0.8, INFINITY);
+      break;
+    case Relation::near:
+      nearest_limit(-INFINITY, weakest->range.has_high() ? weakest->range.high : 0.5);
+      break;
+    case Relation::touching:
+      nearest_limit(-INFINITY, 0.05);
+      break;
+    case Relation::same_size:
+      nearest_limit(1.0 / 1.15, 1.15);
+      break;
+    case Relation::aligned:
+      nearest_limit(-INFINITY, 0.15);
+      break;
+    case Relation::coplanar:
+      nearest_limit(-INFINITY, weakest->range.has_high() ? weakest->range.high : 0.03);
+      break;
     case Relation::elevation:
     case Relation::bottom:
-    case Relation::top: nearest_limit(weakest->range.low, weakest->range.high); break;
-    default: break;
+    case Relation::top:
+      nearest_limit(weakest->range.low, weakest->range.high);
+      break;
+    default:
+      break;
   }
 }
 
@@ -161,11 +197,13 @@ std::string explain(const Labelling& labelling, std::int32_t entity) {
   return out;
 }
 
-WhyNot why_not(const Surfaces& surfaces, const Ontology& ontology, const Labelling& labelling, std::int32_t entity,
-               const std::string& class_name) {
+WhyNot why_not(const Surfaces& surfaces, const Ontology& ontology, const Labelling& labelling,
+               std::int32_t entity, const std::string& class_name) {
   const Entity& wanted = entity_of(labelling, entity);
   const int c = ontology.find(class_name);
-  if (c < 0) fail_usage("the ontology has no class '" + class_name + "'", suggestion(class_name, ontology.class_names()));
+  if (c < 0)
+    fail_usage("the ontology has no class '" + class_name + "'",
+               suggestion(class_name, ontology.class_names()));
   const Eigen::Matrix3d R = levelling(labelling.up);
   Surrounding around;
   around.up_sigma = labelling.up_sigma;
@@ -173,7 +211,8 @@ WhyNot why_not(const Surfaces& surfaces, const Ontology& ontology, const Labelli
   Matcher matcher(ontology, make_items(surfaces, R), around);
   matcher.run();
   if (static_cast<std::size_t>(entity) >= matcher.items().size()) {
-    fail_usage("entity " + std::to_string(entity) + " is none of these surfaces", "label them anew");
+    fail_usage("entity " + std::to_string(entity) + " is none of these surfaces",
+               "label them anew");
   }
   const Item& item = matcher.items()[entity];
 
@@ -183,11 +222,14 @@ WhyNot why_not(const Surfaces& surfaces, const Ontology& ontology, const Labelli
   for (const auto& clause : matcher.clauses(c)) {
     const ClauseValue value = matcher.evaluate(c, clause, entity);
     const std::string text = clause_text(clause);
-    table += "  " + text + ": " +
-             (value.evidence.unit[0] != '\0'
-                  ? measurement(value.evidence.measured, value.evidence.sigma, value.evidence.unit) + ", "
-                  : "") +
-             verdict(value.value) + (value.target >= 0 ? " on " + std::to_string(value.target) : "") + "\n";
+    table +=
+        "  " + text + ": " +
+        (value.evidence.unit[0] != '\0'
+             ? measurement(value.evidence.measured, value.evidence.sigma, value.evidence.unit) +
+                   ", "
+             : "") +
+        verdict(value.value) + (value.target >= 0 ? " on " + std::to_string(value.target) : "") +
+        "\n";
     if (clause.usually || value.value >= 0.5 || !answer.clause.empty()) continue;
     answer.holds = false;
     answer.clause = text;
@@ -195,7 +237,8 @@ WhyNot why_not(const Surfaces& surfaces, const Ontology& ontology, const Labelli
     answer.measured = value.evidence.measured;
     answer.sigma = value.evidence.sigma;
     answer.unit = value.evidence.unit;
-    if (value.target >= 0) answer.target = std::to_string(value.target) + " (" + clause.target + ")";
+    if (value.target >= 0)
+      answer.target = std::to_string(value.target) + " (" + clause.target + ")";
     needed_value(clause, item, value, matcher.items(), around, answer);
     if (answer.unit.empty() && !clause.target.empty()) answer.target.clear();
   }
@@ -221,8 +264,9 @@ WhyNot why_not(const Surfaces& surfaces, const Ontology& ontology, const Labelli
       if (!answer.target.empty()) head += " on " + answer.target;
       if (answer.has_needed) {
         const double change = answer.needed - answer.measured;
-        head += "; it would hold from " + measurement(answer.needed, 0.0, answer.unit) + ", a change of " +
-                (change > 0.0 ? "+" : "") + measurement(change, 0.0, answer.unit);
+        head += "; it would hold from " + measurement(answer.needed, 0.0, answer.unit) +
+                ", a change of " + (change > 0.0 ? "+" : "") +
+                measurement(change, 0.0, answer.unit);
       }
     }
   }

@@ -16,7 +16,8 @@ namespace {
 struct Count {
   double sum = 0.0;
   double number = 0.0;
-  /// Towards the documented default with the weight of `strength` examples, so that rare classes do not claim certainty.
+  /// Towards the documented default with the weight of `strength` examples, so that rare classes do
+  /// not claim certainty.
   [[nodiscard]] double rate(double standard, double strength) const {
     return std::clamp((sum + strength * standard) / (number + strength), 0.002, 0.998);
   }
@@ -31,14 +32,16 @@ Matcher match(const Ontology& ontology, const TrainingScene& scene, const Reason
   const Eigen::Matrix3d R = levelling(up.up);
   Surrounding around;
   around.up_sigma = up.sigma;
-  if (!scene.surfaces.sensor_positions.empty()) around.viewpoint = R * scene.surfaces.sensor_positions.front();
+  if (!scene.surfaces.sensor_positions.empty())
+    around.viewpoint = R * scene.surfaces.sensor_positions.front();
   Matcher matcher(ontology, make_items(scene.surfaces, R), around);
   matcher.run();
   return matcher;
 }
 
-/// What an item truly is: its class's index, -1 for none that is described. Parts are told from their wholes by being nearer to
-/// the part's own features (all clauses that name no target) than to those of the whole.
+/// What an item truly is: its class's index, -1 for none that is described. Parts are told from
+/// their wholes by being nearer to the part's own features (all clauses that name no target) than
+/// to those of the whole.
 class Truth {
  public:
   Truth(const Ontology& ontology, const Matcher& matcher, const TrainingScene& scene) {
@@ -48,9 +51,9 @@ class Truth {
       int best = -1;
       if (item.group) {
         const int whole = ontology.find(name);
-        const bool same = std::all_of(item.members.begin(), item.members.end(), [&](std::int32_t m) {
-          return scene.classes[static_cast<std::size_t>(m)] == name;
-        });
+        const bool same = std::all_of(
+            item.members.begin(), item.members.end(),
+            [&](std::int32_t m) { return scene.classes[static_cast<std::size_t>(m)] == name; });
         if (same && whole >= 0 && matcher.is_group_class(whole)) best = whole;
       } else if (const int whole = name.empty() ? -1 : ontology.find(name); whole >= 0) {
         double most = -1.0;
@@ -60,7 +63,8 @@ class Truth {
           if (own && matcher.is_group_class(whole)) continue;
           double fit = own ? 1.0 : 0.9;  // in doubt it is the thing itself
           for (const auto& clause : matcher.clauses(static_cast<int>(c))) {
-            if (clause.usually || !clause.target.empty() || clause.kind == ClauseKind::extremum) continue;
+            if (clause.usually || !clause.target.empty() || clause.kind == ClauseKind::extremum)
+              continue;
             fit *= matcher.evaluate(static_cast<int>(c), clause, item.id).value;
           }
           if (fit > most) {
@@ -77,13 +81,14 @@ class Truth {
 
 }  // namespace
 
-Background fit_backgrounds(const Ontology& ontology, const std::vector<TrainingScene>& scenes, const ReasonOptions& options,
-                           const std::string& fitted_on) {
+Background fit_backgrounds(const Ontology& ontology, const std::vector<TrainingScene>& scenes,
+                           const ReasonOptions& options, const std::string& fitted_on) {
   if (scenes.empty()) fail_data("fit", "", "there is no training scene");
   const std::size_t classes = ontology.classes.size();
   Ontology current = ontology;
   Background background;
-  // Beliefs in targets depend on the rates and the rates on the beliefs: two rounds settle them to the second digit.
+  // Beliefs in targets depend on the rates and the rates on the beliefs: two rounds settle them to
+  // the second digit.
   for (int round = 0; round < 3; ++round) {
     std::vector<std::vector<ClauseCount>> counts(classes);
     for (std::size_t c = 0; c < classes; ++c) counts[c].resize(ontology.classes[c].clauses.size());
@@ -99,8 +104,9 @@ Background fit_backgrounds(const Ontology& ontology, const std::vector<TrainingS
     for (std::size_t s = 0; s < scenes.size(); ++s) {
       const auto& scene = scenes[s];
       if (scene.classes.size() != scene.surfaces.surfaces.size()) {
-        fail_data("fit", "scene " + std::to_string(s), "has " + std::to_string(scene.surfaces.surfaces.size()) +
-                                                           " surfaces and " + std::to_string(scene.classes.size()) + " classes");
+        fail_data("fit", "scene " + std::to_string(s),
+                  "has " + std::to_string(scene.surfaces.surfaces.size()) + " surfaces and " +
+                      std::to_string(scene.classes.size()) + " classes");
       }
       const Matcher matcher = match(current, scene, options);
       const Truth truth(current, matcher, scene);
@@ -114,8 +120,9 @@ Background fit_backgrounds(const Ontology& ontology, const std::vector<TrainingS
           if (matcher.is_group_class(static_cast<int>(c)) != item.group) continue;
           const auto& own = current.classes[c].clauses;
           const bool member = is == static_cast<int>(c);
-          // The background is that of things which are no obvious strangers: those that pass all other required clauses count in
-          // full, others by how nearly they do, since only they are ever weighed against the class.
+          // The background is that of things which are no obvious strangers: those that pass all
+          // other required clauses count in full, others by how nearly they do, since only they are
+          // ever weighed against the class.
           for (std::size_t i = 0; i < own.size(); ++i) {
             const double value = matcher.evaluate(static_cast<int>(c), own[i], item.id).value;
             auto& count = member ? counts[c][i].hit : counts[c][i].background;
@@ -126,7 +133,9 @@ Background fit_backgrounds(const Ontology& ontology, const std::vector<TrainingS
         for (std::size_t c = 0; c < classes; ++c) {
           for (const auto& candidate : matcher.candidates(static_cast<int>(c))) {
             if (candidate.item != item.id) continue;
-            example.scores.push_back((candidate.score - std::log(prior_of(current, static_cast<int>(c)))) / current.temperature);
+            example.scores.push_back(
+                (candidate.score - std::log(prior_of(current, static_cast<int>(c)))) /
+                current.temperature);
             example.class_of.push_back(static_cast<int>(c));
           }
         }
@@ -137,17 +146,19 @@ Background fit_backgrounds(const Ontology& ontology, const std::vector<TrainingS
     background.fitted_on = fitted_on;
     background.unknown_prior = std::clamp((unknown + 1.0) / (total + 2.0), 0.01, 0.99);
     for (std::size_t c = 0; c < classes; ++c) {
-      background.priors.emplace_back(ontology.classes[c].name(), std::max(members[c], 0.001 * total) / std::max(total, 1.0));
+      background.priors.emplace_back(ontology.classes[c].name(),
+                                     std::max(members[c], 0.001 * total) / std::max(total, 1.0));
       for (std::size_t i = 0; i < counts[c].size(); ++i) {
         Clause clause = ontology.classes[c].clauses[i];
         clause.hit_rate = clause.background = -1.0;
-        background.rates.push_back({ontology.classes[c].name(), clause_text(clause),
-                                    counts[c][i].hit.rate(default_hit_rate(clause), 10.0),
-                                    counts[c][i].background.rate(default_background(clause), 10.0)});
+        background.rates.push_back(
+            {ontology.classes[c].name(), clause_text(clause),
+             counts[c][i].hit.rate(default_hit_rate(clause), 10.0),
+             counts[c][i].background.rate(default_background(clause), 10.0)});
       }
     }
-    // Clauses of one class are not independent; one exponent for all likelihood ratios makes up for it. It is the one with the
-    // smallest log loss, by golden section.
+    // Clauses of one class are not independent; one exponent for all likelihood ratios makes up for
+    // it. It is the one with the smallest log loss, by golden section.
     const auto loss = [&](double temperature) {
       double sum = 0.0;
       for (const auto& example : examples) {
@@ -155,7 +166,8 @@ Background fit_backgrounds(const Ontology& ontology, const std::vector<TrainingS
         double top = none;
         std::vector<double> s(example.scores.size());
         for (std::size_t k = 0; k < s.size(); ++k) {
-          s[k] = std::log(background.priors[static_cast<std::size_t>(example.class_of[k])].second) + temperature * example.scores[k];
+          s[k] = std::log(background.priors[static_cast<std::size_t>(example.class_of[k])].second) +
+                 temperature * example.scores[k];
           top = std::max(top, s[k]);
         }
         double all = std::exp(none - top);

@@ -22,15 +22,20 @@ double pair_value(const Clause& clause, const Item& a, const Item& b, const Surr
   return product;
 }
 
-/// Stacked things lie within a metre of each other in the plan, so only neighbouring cells of a grid need be looked at, and of those
-/// the first `most_neighbours`: a stack of more is no furniture, and thousands of equal entities must not take all day.
+/// Stacked things lie within a metre of each other in the plan, so only neighbouring cells of a
+/// grid need be looked at, and of those the first `most_neighbours`: a stack of more is no
+/// furniture, and thousands of equal entities must not take all day.
 class Neighbours {
  public:
   static constexpr std::size_t most_neighbours = 400;
 
-  Neighbours(const std::vector<Item>& items, const std::vector<Member>& sorted, const Clause& clause) : count_(sorted.size()) {
-    for (const auto& term : clause.pairwise) stacked_ = stacked_ || term.relation == Relation::aligned;
-    for (std::size_t i = 0; stacked_ && i < sorted.size(); ++i) cells_[cell(items[sorted[i].item], 0, 0)].push_back(i);
+  Neighbours(const std::vector<Item>& items, const std::vector<Member>& sorted,
+             const Clause& clause)
+      : count_(sorted.size()) {
+    for (const auto& term : clause.pairwise)
+      stacked_ = stacked_ || term.relation == Relation::aligned;
+    for (std::size_t i = 0; stacked_ && i < sorted.size(); ++i)
+      cells_[cell(items[sorted[i].item], 0, 0)].push_back(i);
   }
 
   [[nodiscard]] std::vector<std::size_t> of(const Item& seed) const {
@@ -53,7 +58,8 @@ class Neighbours {
 
  private:
   static std::pair<long, long> cell(const Item& item, int dx, int dy) {
-    return {std::lround(std::floor(item.center.x())) + dx, std::lround(std::floor(item.center.y())) + dy};
+    return {std::lround(std::floor(item.center.x())) + dx,
+            std::lround(std::floor(item.center.y())) + dy};
   }
   std::map<std::pair<long, long>, std::vector<std::size_t>> cells_;
   std::size_t count_ = 0;
@@ -86,14 +92,16 @@ double count_probability(const std::vector<double>& members, int low, int high) 
   return std::clamp(sum, 0.0, 1.0);
 }
 
-std::vector<GroupFound> build_groups(const std::vector<Item>& items, const std::vector<Member>& pool, const Clause& clause,
+std::vector<GroupFound> build_groups(const std::vector<Item>& items,
+                                     const std::vector<Member>& pool, const Clause& clause,
                                      const Surrounding& around) {
   std::vector<Member> sorted;
   for (const auto& member : pool) {
     if (member.belief > seed_belief) sorted.push_back(member);
   }
-  std::sort(sorted.begin(), sorted.end(),
-            [&](const Member& a, const Member& b) { return comes_first(items[a.item], items[b.item]); });
+  std::sort(sorted.begin(), sorted.end(), [&](const Member& a, const Member& b) {
+    return comes_first(items[a.item], items[b.item]);
+  });
   std::vector<bool> used(sorted.size(), false);
   std::vector<GroupFound> groups;
   const Neighbours neighbours(items, sorted, clause);
@@ -117,11 +125,12 @@ std::vector<GroupFound> build_groups(const std::vector<Item>& items, const std::
     std::vector<std::size_t> members = {s};
     std::vector<double> weakest = {1.0};
     for (const auto& candidate : near) {
-      if (static_cast<int>(members.size()) >= clause.count_high || members.size() >= most_members) break;
+      if (static_cast<int>(members.size()) >= clause.count_high || members.size() >= most_members)
+        break;
       double value = candidate.value;
       for (std::size_t k = 1; k < members.size() && value >= pair_gate; ++k) {
-        value = std::min(value, pair_value(clause, items[sorted[candidate.index].item], items[sorted[members[k]].item],
-                                           around));
+        value = std::min(value, pair_value(clause, items[sorted[candidate.index].item],
+                                           items[sorted[members[k]].item], around));
       }
       if (value < pair_gate) continue;
       members.push_back(candidate.index);

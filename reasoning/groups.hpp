@@ -1,5 +1,6 @@
 #pragma once
-// Sets of entities that belong together pair by pair: the boards of a shelf. reasoning.md section 2.6.
+// Sets of entities that belong together pair by pair: the boards of a shelf. reasoning.md
+// section 2.6.
 
 #include <cstdint>
 #include <vector>
@@ -25,7 +26,8 @@ double count_probability(const std::vector<double>& members, int low, int high);
 
 /// Disjoint groups, larger entities first as seeds; independent of the order of `pool`.
 /// Every pair inside a group satisfies the pair relations with at least 0.3.
-std::vector<GroupFound> build_groups(const std::vector<Item>& items, const std::vector<Member>& pool, const Clause& clause,
+std::vector<GroupFound> build_groups(const std::vector<Item>& items,
+                                     const std::vector<Member>& pool, const Clause& clause,
                                      const Surrounding& around);
 
 }  // namespace scanchor

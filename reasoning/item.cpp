@@ -7,17 +7,21 @@ namespace scanchor {
 
 namespace {
 
-constexpr double footprint_margin = 0.025;  // [m] two of them make the 5 cm by which reasoning.md 2.3 widens
+constexpr double footprint_margin =
+    0.025;  // [m] two of them make the 5 cm by which reasoning.md 2.3 widens
 
-Footprint make_footprint(const Eigen::Vector3d& center, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+Footprint make_footprint(const Eigen::Vector3d& center, const Eigen::Vector3d& a,
+                         const Eigen::Vector3d& b) {
   Footprint foot;
   foot.center = center.head<2>();
   Eigen::Vector2d u = a.head<2>();
   Eigen::Vector2d v = b.head<2>();
   if (u.squaredNorm() < v.squaredNorm()) std::swap(u, v);
-  const Eigen::Vector2d direction = u.norm() > 1e-6 ? Eigen::Vector2d(u.normalized()) : Eigen::Vector2d::UnitX();
+  const Eigen::Vector2d direction =
+      u.norm() > 1e-6 ? Eigen::Vector2d(u.normalized()) : Eigen::Vector2d::UnitX();
   const Eigen::Vector2d side(-direction.y(), direction.x());
-  // A side that is nearly in the direction of the other one adds to its length; what is left is the thickness.
+  // A side that is nearly in the direction of the other one adds to its length; what is left is the
+  // thickness.
   const double thickness = std::abs(side.dot(v));
   foot.u = direction * (u.norm() + footprint_margin);
   if (thickness < footprint_margin) {
@@ -40,7 +44,8 @@ Quantity quantity(const Measured& measured, double fallback_sigma, double hidden
 }
 
 void finish(Item& item) {
-  item.footprint = make_footprint(item.center, item.along * item.half_length, item.across * item.half_width);
+  item.footprint =
+      make_footprint(item.center, item.along * item.half_length, item.across * item.half_width);
 }
 
 }  // namespace
@@ -68,10 +73,12 @@ std::vector<Item> make_items(const Surfaces& surfaces, const Eigen::Matrix3d& R)
     const double edge = std::max(0.005, 0.5 * surfaces.point_spacing);
     item.extension = quantity(rectangle.length, edge, hidden);
     item.width = quantity(rectangle.width, edge, hidden);
-    item.area = quantity(surface.area, edge * (rectangle.length.value + rectangle.width.value), hidden);
+    item.area =
+        quantity(surface.area, edge * (rectangle.length.value + rectangle.width.value), hidden);
     item.has_shape = rectangle.length.value > 0.0 && surface.area.value > 0.0;
     item.rectangularness.value = surface.rectangularness;
-    // Of the ratio of two areas that share their outline: half of the area's relative deviation remains.
+    // Of the ratio of two areas that share their outline: half of the area's relative deviation
+    // remains.
     item.rectangularness.sigma = item.has_shape ? 0.5 * item.area.sigma / item.area.value : 1.0;
     item.rectangularness.hidden = item.area.hidden;
     const double c = std::cos(rectangle.angle);
@@ -79,10 +86,12 @@ std::vector<Item> make_items(const Surfaces& surfaces, const Eigen::Matrix3d& R)
     const Eigen::Matrix3d axes = R * surface.T_cloud_surface.linear();
     item.along = axes * Eigen::Vector3d(c, s, 0.0);
     item.across = axes * Eigen::Vector3d(-s, c, 0.0);
-    item.center = R * (surface.T_cloud_surface * Eigen::Vector3d(rectangle.center.x(), rectangle.center.y(), 0.0));
+    item.center = R * (surface.T_cloud_surface *
+                       Eigen::Vector3d(rectangle.center.x(), rectangle.center.y(), 0.0));
     item.half_length = 0.5 * rectangle.length.value;
     item.half_width = 0.5 * rectangle.width.value;
-    // The lower and upper end come from the outline itself where it is known: a rectangle on its corner would overstate them.
+    // The lower and upper end come from the outline itself where it is known: a rectangle on its
+    // corner would overstate them.
     for (const auto& polygon : surface.polygons) {
       for (const auto& p : polygon.outer) {
         item.box.extend(R * (surface.T_cloud_surface * Eigen::Vector3d(p.x(), p.y(), 0.0)));
@@ -91,7 +100,8 @@ std::vector<Item> make_items(const Surfaces& surfaces, const Eigen::Matrix3d& R)
     const auto extend_by_rectangle = [&] {
       for (const double a : {-1.0, 1.0}) {
         for (const double b : {-1.0, 1.0}) {
-          item.box.extend(item.center + a * item.half_length * item.along + b * item.half_width * item.across);
+          item.box.extend(item.center + a * item.half_length * item.along +
+                          b * item.half_width * item.across);
         }
       }
     };
@@ -102,7 +112,8 @@ std::vector<Item> make_items(const Surfaces& surfaces, const Eigen::Matrix3d& R)
     // From here on the box holds the whole rectangle, so that it bounds every distance from below.
     extend_by_rectangle();
     const double lean = std::sqrt(std::max(0.0, 1.0 - item.normal.z() * item.normal.z()));
-    item.z_sigma = std::hypot(item.offset_sigma, lean * std::max(item.extension.sigma, item.width.sigma));
+    item.z_sigma =
+        std::hypot(item.offset_sigma, lean * std::max(item.extension.sigma, item.width.sigma));
     item.height = {item.z_high - item.z_low, std::max(item.z_sigma, 0.5 * edge),
                    item.extension.hidden > 0.0 || item.width.hidden > 0.0 ? hidden : 0.0};
     finish(item);
@@ -111,20 +122,25 @@ std::vector<Item> make_items(const Surfaces& surfaces, const Eigen::Matrix3d& R)
   return items;
 }
 
-Item make_group(const std::vector<Item>& items, std::vector<std::int32_t> members, std::int32_t id) {
+Item make_group(const std::vector<Item>& items, std::vector<std::int32_t> members,
+                std::int32_t id) {
   std::sort(members.begin(), members.end(), [&](std::int32_t a, std::int32_t b) {
     return items[a].z != items[b].z ? items[a].z < items[b].z : a < b;
   });
-  const std::int32_t main = *std::max_element(members.begin(), members.end(), [&](std::int32_t a, std::int32_t b) {
-    return items[a].area.value != items[b].area.value ? items[a].area.value < items[b].area.value : a > b;
-  });
+  const std::int32_t main =
+      *std::max_element(members.begin(), members.end(), [&](std::int32_t a, std::int32_t b) {
+        return items[a].area.value != items[b].area.value
+                   ? items[a].area.value < items[b].area.value
+                   : a > b;
+      });
   Item group;
   group.id = id;
   group.group = true;
   group.normal = items[main].normal;
   group.normal_covariance = items[main].normal_covariance;
   group.tilt_sigma = items[main].tilt_sigma;
-  // Sides of the box: the horizontal direction of the main member's longer side, and the one across.
+  // Sides of the box: the horizontal direction of the main member's longer side, and the one
+  // across.
   Eigen::Vector3d along = items[main].along;
   along.z() = 0.0;
   if (along.norm() < 0.3) along = Eigen::Vector3d::UnitX();
@@ -162,7 +178,8 @@ Item make_group(const std::vector<Item>& items, std::vector<std::int32_t> member
     group.z_high = std::max(group.z_high, items[m].z_high);
   }
   group.z = 0.5 * (group.z_low + group.z_high);
-  group.center = along * (0.5 * (low_a + high_a)) + across * (0.5 * (low_b + high_b)) + Eigen::Vector3d::UnitZ() * group.z;
+  group.center = along * (0.5 * (low_a + high_a)) + across * (0.5 * (low_b + high_b)) +
+                 Eigen::Vector3d::UnitZ() * group.z;
   group.centroid = group.center;
   group.along = along;
   group.across = across;

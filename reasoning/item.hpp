@@ -11,14 +11,16 @@
 
 namespace scanchor {
 
-/// A measured number and its standard deviation; `hidden` in [0, 1) is the share expected in the shadow, 0: seen whole.
+/// A measured number and its standard deviation; `hidden` in [0, 1) is the share expected in the
+/// shadow, 0: seen whole.
 struct Quantity {
   double value = 0.0;
   double sigma = 0.0;
   double hidden = 0.0;
 };
 
-/// The shadow of an entity on the ground: a parallelogram, center -+ u -+ v [m], thickened to a width of at least 5 cm.
+/// The shadow of an entity on the ground: a parallelogram, center -+ u -+ v [m], thickened to a
+/// width of at least 5 cm.
 struct Footprint {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   Eigen::Vector2d u = Eigen::Vector2d::UnitX();
@@ -30,22 +32,23 @@ struct Footprint {
 struct Item {
   std::int32_t id = 0;
   bool group = false;
-  bool has_shape = true;                ///< false: perception stopped at the plane, or the shape is degenerate
+  bool has_shape = true;  ///< false: perception stopped at the plane, or the shape is degenerate
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   Eigen::Matrix3d normal_covariance = Eigen::Matrix3d::Zero();  ///< [rad2]
-  double tilt_sigma = 0.0;              ///< [rad] sqrt(trace / 2)
-  double offset_sigma = 0.0;            ///< [m] of the plane at its centroid
+  double tilt_sigma = 0.0;                                      ///< [rad] sqrt(trace / 2)
+  double offset_sigma = 0.0;                           ///< [m] of the plane at its centroid
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  ///< of the inliers
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();    ///< of the fitted rectangle, or of the group's box
-  Eigen::Vector3d along = Eigen::Vector3d::UnitX();    ///< unit, along the longer side
-  Eigen::Vector3d across = Eigen::Vector3d::UnitY();   ///< unit, along the shorter side
-  double half_length = 0.0, half_width = 0.0;          ///< [m]
+  Eigen::Vector3d center =
+      Eigen::Vector3d::Zero();  ///< of the fitted rectangle, or of the group's box
+  Eigen::Vector3d along = Eigen::Vector3d::UnitX();   ///< unit, along the longer side
+  Eigen::Vector3d across = Eigen::Vector3d::UnitY();  ///< unit, along the shorter side
+  double half_length = 0.0, half_width = 0.0;         ///< [m]
   Quantity area, extension, width, height, rectangularness;
-  double z_low = 0.0, z_high = 0.0, z = 0.0;           ///< lower end, upper end, middle
+  double z_low = 0.0, z_high = 0.0, z = 0.0;  ///< lower end, upper end, middle
   double z_sigma = 0.0;
   Footprint footprint;
   Eigen::AlignedBox3d box;
-  std::vector<std::int32_t> members;    ///< of a group, item ids, lowest first
+  std::vector<std::int32_t> members;  ///< of a group, item ids, lowest first
 };
 
 /// Rotation that carries `up` (unit) to z.
@@ -54,7 +57,8 @@ Eigen::Matrix3d levelling(const Eigen::Vector3d& up);
 /// One item a surface, in the same order, ids from 0.
 std::vector<Item> make_items(const Surfaces& surfaces, const Eigen::Matrix3d& R_level_cloud);
 
-/// The box around some items, its sides along those of the first (largest) one; z up. Members lowest first.
+/// The box around some items, its sides along those of the first (largest) one; z up. Members
+/// lowest first.
 Item make_group(const std::vector<Item>& items, std::vector<std::int32_t> members, std::int32_t id);
 
 }  // namespace scanchor

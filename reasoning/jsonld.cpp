@@ -32,7 +32,8 @@ std::string camel(std::string_view words) {
 
 }  // namespace
 
-nlohmann::ordered_json labelling_to_jsonld(const Labelling& labelling, const std::string& scene_name) {
+nlohmann::ordered_json labelling_to_jsonld(const Labelling& labelling,
+                                           const std::string& scene_name) {
   Json context;
   context["@version"] = 1.1;
   context["@vocab"] = "https://scanchor.example/sdl#";
@@ -72,8 +73,10 @@ nlohmann::ordered_json labelling_to_jsonld(const Labelling& labelling, const std
     }
     if (named) {
       for (const auto& clause : entity.proof) {
-        if (clause.target_class.empty() || clause.targets.size() != 1 || clause.likelihood < 0.5) continue;
-        if (clause.text.rfind("not ", 0) == 0 || clause.text.find("each pair") != std::string::npos) continue;
+        if (clause.target_class.empty() || clause.targets.size() != 1 || clause.likelihood < 0.5)
+          continue;
+        if (clause.text.rfind("not ", 0) == 0 || clause.text.find("each pair") != std::string::npos)
+          continue;
         for (const auto& word : relation_vocabulary()) {
           // The words of a relation stand in the clause between blanks or at its ends.
           const std::string text = " " + clause.text + " ";

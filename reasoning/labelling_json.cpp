@@ -42,13 +42,15 @@ ProofClause clause_from_json(const JsonReader& reader) {
 
 std::vector<std::int32_t> integers(const JsonReader& reader) {
   std::vector<std::int32_t> values;
-  for (std::size_t i = 0; i < reader.size(); ++i) values.push_back(static_cast<std::int32_t>(reader.at(i).integer()));
+  for (std::size_t i = 0; i < reader.size(); ++i)
+    values.push_back(static_cast<std::int32_t>(reader.at(i).integer()));
   return values;
 }
 
 }  // namespace
 
-nlohmann::ordered_json labelling_to_json(const Labelling& labelling, const std::vector<std::size_t>& points_of_surface) {
+nlohmann::ordered_json labelling_to_json(const Labelling& labelling,
+                                         const std::vector<std::size_t>& points_of_surface) {
   Json json;
   json["format"] = "scanchor labels 1";
   json["ontology"] = labelling.ontology;
@@ -68,16 +70,19 @@ nlohmann::ordered_json labelling_to_json(const Labelling& labelling, const std::
     object["area"] = entity.area;
     std::size_t points = 0;
     for (const auto s : entity.surfaces) {
-      if (static_cast<std::size_t>(s) < points_of_surface.size()) points += points_of_surface[static_cast<std::size_t>(s)];
+      if (static_cast<std::size_t>(s) < points_of_surface.size())
+        points += points_of_surface[static_cast<std::size_t>(s)];
     }
     object["points"] = points;
     object["pose"] = to_json(entity.pose);
     object["surfaces"] = entity.surfaces;
     if (!entity.members.empty()) object["members"] = entity.members;
     if (entity.whole >= 0) object["part_of"] = entity.whole;
-    if (entity.also >= 0) object["also"] = entity.classes[static_cast<std::size_t>(entity.also)].name;
+    if (entity.also >= 0)
+      object["also"] = entity.classes[static_cast<std::size_t>(entity.also)].name;
     Json classes = Json::array();
-    for (const auto& c : entity.classes) classes.push_back({{"class", c.name}, {"probability", c.probability}});
+    for (const auto& c : entity.classes)
+      classes.push_back({{"class", c.name}, {"probability", c.probability}});
     object["classes"] = classes;
     Json proof = Json::array();
     for (const auto& clause : entity.proof) proof.push_back(clause_to_json(clause));
@@ -105,7 +110,8 @@ Labelling labelling_from_json(const nlohmann::ordered_json& json, const std::str
     const auto object = objects.at(i);
     Entity entity;
     entity.id = static_cast<std::int32_t>(object.at("id").integer());
-    if (entity.id != static_cast<std::int32_t>(i)) object.at("id").fail("must be " + std::to_string(i) + ", its place in the list");
+    if (entity.id != static_cast<std::int32_t>(i))
+      object.at("id").fail("must be " + std::to_string(i) + ", its place in the list");
     entity.label = object.at("class").text();
     entity.probability = object.at("probability").number_in(0.0, 1.0);
     entity.center = object.at("center").vector3();
@@ -116,12 +122,15 @@ Labelling labelling_from_json(const nlohmann::ordered_json& json, const std::str
     entity.surfaces = integers(object.at("surfaces"));
     if (object.has("members")) entity.members = integers(object.at("members"));
     for (const auto m : entity.members) {
-      if (m < 0 || m >= count) object.at("members").fail("names entity " + std::to_string(m) + ", which is not there");
+      if (m < 0 || m >= count)
+        object.at("members").fail("names entity " + std::to_string(m) + ", which is not there");
     }
-    if (object.has("part_of")) entity.whole = static_cast<std::int32_t>(object.at("part_of").integer());
+    if (object.has("part_of"))
+      entity.whole = static_cast<std::int32_t>(object.at("part_of").integer());
     const auto classes = object.at("classes");
     for (std::size_t c = 0; c < classes.size(); ++c) {
-      entity.classes.push_back({classes.at(c).at("class").text(), classes.at(c).at("probability").number_in(0.0, 1.0)});
+      entity.classes.push_back(
+          {classes.at(c).at("class").text(), classes.at(c).at("probability").number_in(0.0, 1.0)});
     }
     if (object.has("also")) {
       const std::string also = object.at("also").text();
@@ -130,11 +139,14 @@ Labelling labelling_from_json(const nlohmann::ordered_json& json, const std::str
       }
     }
     const auto proof = object.at("proof");
-    for (std::size_t p = 0; p < proof.size(); ++p) entity.proof.push_back(clause_from_json(proof.at(p)));
+    for (std::size_t p = 0; p < proof.size(); ++p)
+      entity.proof.push_back(clause_from_json(proof.at(p)));
     labelling.entities.push_back(std::move(entity));
   }
   for (const auto e : labelling.entity_of_surface) {
-    if (e < 0 || e >= count) reader.at("entity_of_surface").fail("names entity " + std::to_string(e) + ", which is not there");
+    if (e < 0 || e >= count)
+      reader.at("entity_of_surface")
+          .fail("names entity " + std::to_string(e) + ", which is not there");
   }
   return labelling;
 }

@@ -30,7 +30,8 @@ double cone_likelihood(double theta, double tolerance, double sigma) {
   const double b = tolerance / sigma;
   if (a - b > 8.0) return 0.0;
   if (b - a > 8.0) return 1.0;
-  // The squared length is noncentral chi-square with two degrees of freedom: a Poisson(a^2/2) mixture of Gamma(k+1) at b^2/2.
+  // The squared length is noncentral chi-square with two degrees of freedom: a Poisson(a^2/2)
+  // mixture of Gamma(k+1) at b^2/2.
   const double x = 0.5 * a * a;
   const double y = 0.5 * b * b;
   if (x > 200.0 || y > 400.0) return upper_likelihood(a + 0.5 / a, b, 1.0);

@@ -14,9 +14,11 @@ namespace {
 constexpr double extremum_tolerance = 0.10;  // [m] S18: within 10 cm of the 1st percentile
 constexpr double extremum_share = 0.01;
 
-/// Area that is there beyond doubt [m2]: a plane seen at a grazing angle through a gap has an outline of any size, and must not say
-/// where the room ends.
-double sure_area(const Item& item) { return std::max(0.0, item.area.value - 2.0 * item.area.sigma); }
+/// Area that is there beyond doubt [m2]: a plane seen at a grazing angle through a gap has an
+/// outline of any size, and must not say where the room ends.
+double sure_area(const Item& item) {
+  return std::max(0.0, item.area.value - 2.0 * item.area.sigma);
+}
 
 struct Level {
   double z, area;
@@ -35,10 +37,12 @@ double percentile(std::vector<Level> levels, double share) {
   return levels.empty() ? NAN : levels.back().z;
 }
 
-/// Lowest (sign 1) or highest (-1) level of the scene. Floors and ceilings are level (S18): a wall whose outline runs out through a
-/// window must not move them. But where walls, most of them, go on beyond all that is level, the end of the walls is it: the floor
-/// was not seen, and the tops of desks are none.
-double end_level(const std::vector<Item>& items, const std::vector<Evidence>& horizontal, double sign) {
+/// Lowest (sign 1) or highest (-1) level of the scene. Floors and ceilings are level (S18): a wall
+/// whose outline runs out through a window must not move them. But where walls, most of them, go on
+/// beyond all that is level, the end of the walls is it: the floor was not seen, and the tops of
+/// desks are none.
+double end_level(const std::vector<Item>& items, const std::vector<Evidence>& horizontal,
+                 double sign) {
   constexpr double beyond = 0.3;
   std::vector<Level> flat;
   std::vector<Level> upright;
@@ -55,25 +59,33 @@ double end_level(const std::vector<Item>& items, const std::vector<Evidence>& ho
   return sign * (std::isnan(of_flat) || of_walls < of_flat - beyond ? of_walls : of_flat);
 }
 
-/// True where a relation that needs nearness is certainly 0, from the boxes alone. 1.5 m is beyond eight standard deviations of
-/// every default distance for things whose size is known to 10 cm; others are left to the relation itself.
+/// True where a relation that needs nearness is certainly 0, from the boxes alone. 1.5 m is beyond
+/// eight standard deviations of every default distance for things whose size is known to 10 cm;
+/// others are left to the relation itself.
 bool out_of_reach(const Clause& clause, const Item& a, const Item& b) {
   for (const auto& term : clause.relations) {
     double reach = INFINITY;
     switch (term.relation) {
-      case Relation::touching: reach = 1.5; break;
-      case Relation::near: reach = 2.0 * (term.range.has_high() ? term.range.high : 0.5) + 1.5; break;
+      case Relation::touching:
+        reach = 1.5;
+        break;
+      case Relation::near:
+        reach = 2.0 * (term.range.has_high() ? term.range.high : 0.5) + 1.5;
+        break;
       case Relation::above:
       case Relation::below:
       case Relation::on:
       case Relation::supports: {
         // Boxes that are further apart than the thickening of footprints have nothing in common.
-        const double gap_x = std::max(a.box.min().x() - b.box.max().x(), b.box.min().x() - a.box.max().x());
-        const double gap_y = std::max(a.box.min().y() - b.box.max().y(), b.box.min().y() - a.box.max().y());
+        const double gap_x =
+            std::max(a.box.min().x() - b.box.max().x(), b.box.min().x() - a.box.max().x());
+        const double gap_y =
+            std::max(a.box.min().y() - b.box.max().y(), b.box.min().y() - a.box.max().y());
         if (std::max(gap_x, gap_y) > 0.2) return true;
         continue;
       }
-      default: continue;
+      default:
+        continue;
     }
     if (std::max(a.extension.sigma, b.extension.sigma) > 0.1) continue;
     if (a.box.exteriorDistance(b.box) > reach) return true;
@@ -90,7 +102,10 @@ double log_likelihood_ratio(double value, double hit_rate, double background) {
 }
 
 Matcher::Matcher(const Ontology& ontology, std::vector<Item> items, const Surrounding& around)
-    : ontology_(ontology), items_(std::move(items)), around_(around), surface_count_(items_.size()) {
+    : ontology_(ontology),
+      items_(std::move(items)),
+      around_(around),
+      surface_count_(items_.size()) {
   const std::size_t count = ontology.classes.size();
   clauses_.resize(count);
   group_clause_.assign(count, -1);
@@ -152,9 +167,11 @@ double Matcher::outside_share(std::int32_t id) const {
   for (const auto other : largest_) {
     const Item& b = items_[other];
     const double d = inwards.dot(b.center - a.center);
-    const double half = std::abs(inwards.dot(b.along)) * b.half_length + std::abs(inwards.dot(b.across)) * b.half_width;
+    const double half = std::abs(inwards.dot(b.along)) * b.half_length +
+                        std::abs(inwards.dot(b.across)) * b.half_width;
     const double reach = std::max(half, 1e-3);
-    behind += sure_area(b) * std::clamp((-extremum_tolerance - (d - reach)) / (2.0 * reach), 0.0, 1.0);
+    behind +=
+        sure_area(b) * std::clamp((-extremum_tolerance - (d - reach)) / (2.0 * reach), 0.0, 1.0);
     total += sure_area(b);
   }
   return total > 0.0 ? behind / total : 0.0;
@@ -164,7 +181,9 @@ ClauseValue Matcher::evaluate_unary(const Clause& clause, std::int32_t id) const
   const Item& item = items_[id];
   Evidence evidence;
   switch (clause.kind) {
-    case ClauseKind::feature: evidence = feature(clause.feature, clause.range, item); break;
+    case ClauseKind::feature:
+      evidence = feature(clause.feature, clause.range, item);
+      break;
     case ClauseKind::horizontal:
       evidence = clause.range.has_high() ? horizontal(item, around_, clause.range.high)
                  : item.group            ? horizontal(item, around_)
@@ -175,8 +194,12 @@ ClauseValue Matcher::evaluate_unary(const Clause& clause, std::int32_t id) const
                  : item.group            ? vertical(item, around_)
                                          : vertical_[id];
       break;
-    case ClauseKind::rectangular: evidence = item.group ? rectangular(item) : rectangular_[id]; break;
-    case ClauseKind::group: evidence = {group_value_[id], static_cast<double>(item.members.size()), 0.0, "1"}; break;
+    case ClauseKind::rectangular:
+      evidence = item.group ? rectangular(item) : rectangular_[id];
+      break;
+    case ClauseKind::group:
+      evidence = {group_value_[id], static_cast<double>(item.members.size()), 0.0, "1"};
+      break;
     case ClauseKind::extremum: {
       if (!item.has_shape) break;
       const double reach = (item.center - middle_).head<2>().norm();
@@ -194,7 +217,8 @@ ClauseValue Matcher::evaluate_unary(const Clause& clause, std::int32_t id) const
       }
       break;
     }
-    default: break;
+    default:
+      break;
   }
   ClauseValue result;
   result.value = evidence.likelihood;
@@ -209,13 +233,15 @@ ClauseValue Matcher::evaluate_relation(const Clause& clause, std::int32_t id) co
   double none = 1.0;  // P(no target satisfies it), for negation
   double best_distance = INFINITY;
   for (const auto& target : targets_[wanted]) {
-    if (clause.kind == ClauseKind::relation && target.belief < best.value) break;  // no later one can be better
+    if (clause.kind == ClauseKind::relation && target.belief < best.value)
+      break;  // no later one can be better
     const Item& b = items_[target.item];
     if (target.item == id || std::find(b.members.begin(), b.members.end(), id) != b.members.end() ||
         std::find(a.members.begin(), a.members.end(), target.item) != a.members.end()) {
       continue;
     }
-    if (clause.kind == ClauseKind::relation && best.target >= 0 && out_of_reach(clause, a, b)) continue;
+    if (clause.kind == ClauseKind::relation && best.target >= 0 && out_of_reach(clause, a, b))
+      continue;
     double product = 1.0;
     Evidence weakest;
     for (std::size_t i = 0; i < clause.relations.size(); ++i) {
@@ -228,7 +254,8 @@ ClauseValue Matcher::evaluate_relation(const Clause& clause, std::int32_t id) co
     const double value = target.belief * product;
     const double distance = (a.center - b.center).squaredNorm();
     // Of equally good targets the nearest is named.
-    if (best.target < 0 || value > best.value || (value == best.value && distance < best_distance)) {
+    if (best.target < 0 || value > best.value ||
+        (value == best.value && distance < best_distance)) {
       best.value = value;
       best.evidence = weakest;
       best.target = target.item;
@@ -236,7 +263,8 @@ ClauseValue Matcher::evaluate_relation(const Clause& clause, std::int32_t id) co
     }
   }
   if (clause.kind == ClauseKind::negation) {
-    // Where the entity was not seen whole, something may be there unseen: neither yes nor no (reasoning.md 2.7).
+    // Where the entity was not seen whole, something may be there unseen: neither yes nor no
+    // (reasoning.md 2.7).
     const double seen = 1.0 - a.area.hidden;
     best.value = seen * none + (1.0 - seen) * 0.5;
   }
@@ -244,7 +272,8 @@ ClauseValue Matcher::evaluate_relation(const Clause& clause, std::int32_t id) co
 }
 
 ClauseValue Matcher::evaluate_largest(int class_index, std::int32_t id) const {
-  // P(no rival is larger); rivals weigh as much as they are believed to be of the class (five best, reasoning.md 2.3).
+  // P(no rival is larger); rivals weigh as much as they are believed to be of the class (five best,
+  // reasoning.md 2.3).
   const Item& a = items_[id];
   ClauseValue result;
   double value = 1.0;
@@ -262,7 +291,8 @@ ClauseValue Matcher::evaluate_largest(int class_index, std::int32_t id) const {
 }
 
 ClauseValue Matcher::evaluate(int class_index, const Clause& clause, std::int32_t item) const {
-  if (clause.kind == ClauseKind::relation || clause.kind == ClauseKind::negation) return evaluate_relation(clause, item);
+  if (clause.kind == ClauseKind::relation || clause.kind == ClauseKind::negation)
+    return evaluate_relation(clause, item);
   if (clause.kind == ClauseKind::extremum && clause.extremum == Extremum::largest) {
     return evaluate_largest(class_index, item);
   }
@@ -278,7 +308,8 @@ std::vector<std::int32_t> Matcher::find_groups(const Clause& clause) {
   }
   std::vector<std::int32_t> ids;
   for (auto& group : build_groups(items_, pool, clause, around_)) {
-    Item item = make_group(items_, std::move(group.members), static_cast<std::int32_t>(items_.size()));
+    Item item =
+        make_group(items_, std::move(group.members), static_cast<std::int32_t>(items_.size()));
     ids.push_back(item.id);
     items_.push_back(std::move(item));
     group_value_.push_back(group.probability);
@@ -305,23 +336,26 @@ void Matcher::evaluate_class(int class_index) {
     // Own features first: they are cheap and rule most out.
     for (const bool relational : {false, true}) {
       for (const auto& clause : clauses) {
-        const bool is_relation = clause.kind == ClauseKind::relation || clause.kind == ClauseKind::negation;
+        const bool is_relation =
+            clause.kind == ClauseKind::relation || clause.kind == ClauseKind::negation;
         if (clause.usually || is_relation != relational) continue;
         if (clause.kind == ClauseKind::extremum && clause.extremum == Extremum::largest) {
           needs_rivals = true;
           continue;
         }
-        const double value = is_relation ? evaluate_relation(clause, id).value : evaluate_unary(clause, id).value;
+        const double value =
+            is_relation ? evaluate_relation(clause, id).value : evaluate_unary(clause, id).value;
         if (value < required_gate) {
           possible = false;
           break;
         }
         candidate.fit *= value;
-        // A group is there only because it was found, so its background is the rate of such finds among other things, and nothing
-        // is known of finds that failed (docs/why/semantics.md).
-        const double ratio = clause.kind == ClauseKind::group
-                                 ? std::log(value * hit_rate_of(clause) / background_of(clause))
-                                 : log_likelihood_ratio(value, hit_rate_of(clause), background_of(clause));
+        // A group is there only because it was found, so its background is the rate of such finds
+        // among other things, and nothing is known of finds that failed (docs/why/semantics.md).
+        const double ratio =
+            clause.kind == ClauseKind::group
+                ? std::log(value * hit_rate_of(clause) / background_of(clause))
+                : log_likelihood_ratio(value, hit_rate_of(clause), background_of(clause));
         candidate.score += ontology_.temperature * clause.weight * ratio;
       }
       if (!possible) break;
@@ -331,11 +365,14 @@ void Matcher::evaluate_class(int class_index) {
   publish(class_index);
   if (!needs_rivals) return;
   std::vector<double> values;
-  for (const auto& candidate : list) values.push_back(evaluate_largest(class_index, candidate.item).value);
+  for (const auto& candidate : list)
+    values.push_back(evaluate_largest(class_index, candidate.item).value);
   std::vector<Candidate> kept;
   for (std::size_t i = 0; i < list.size(); ++i) {
     for (const auto& clause : clauses) {
-      if (clause.usually || clause.kind != ClauseKind::extremum || clause.extremum != Extremum::largest) continue;
+      if (clause.usually || clause.kind != ClauseKind::extremum ||
+          clause.extremum != Extremum::largest)
+        continue;
       list[i].score += ontology_.temperature * clause.weight *
                        log_likelihood_ratio(values[i], hit_rate_of(clause), background_of(clause));
     }
@@ -371,7 +408,8 @@ void Matcher::evaluate_context(int class_index) {
 
 void Matcher::run() {
   for (const int c : evaluation_order(ontology_)) evaluate_class(c);
-  // Context looks at the beliefs of the first pass only: no support of oneself, and the order of classes does not matter.
+  // Context looks at the beliefs of the first pass only: no support of oneself, and the order of
+  // classes does not matter.
   for (std::size_t c = 0; c < clauses_.size(); ++c) evaluate_context(static_cast<int>(c));
 }
 

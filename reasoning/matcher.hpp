@@ -1,5 +1,6 @@
 #pragma once
-// From items and descriptions to beliefs: candidates by their own features, then relations in the order of need, then groups.
+// From items and descriptions to beliefs: candidates by their own features, then relations in the
+// order of need, then groups.
 
 #include <string>
 #include <unordered_map>
@@ -14,9 +15,9 @@ namespace scanchor {
 
 /// A clause held against one entity.
 struct ClauseValue {
-  double value = 0.0;             ///< [0, 1], the belief in the target included
-  Evidence evidence;              ///< of the weakest of its relations
-  std::int32_t target = -1;       ///< item that it was satisfied on best; -1: none
+  double value = 0.0;                 ///< [0, 1], the belief in the target included
+  Evidence evidence;                  ///< of the weakest of its relations
+  std::int32_t target = -1;           ///< item that it was satisfied on best; -1: none
   std::vector<std::int32_t> members;  ///< of a group clause
 };
 
@@ -24,14 +25,18 @@ struct ClauseValue {
 struct Candidate {
   std::int32_t item = 0;
   double score = 0.0;   ///< ln of prior x likelihood ratios, S_c of reasoning.md 2.4
-  double belief = 0.0;  ///< [0, 1] class against unknown, no coupling between classes: what relations of others build on
-  double fit = 1.0;     ///< [0, 1] product of the required clauses: that the whole description holds; what groups build on
+  double belief = 0.0;  ///< [0, 1] class against unknown, no coupling between classes: what
+                        ///< relations of others build on
+  double fit = 1.0;  ///< [0, 1] product of the required clauses: that the whole description holds;
+                     ///< what groups build on
 };
 
-/// A required clause below this rules the class out (the threshold of arc consistency, reasoning.md 2.8).
+/// A required clause below this rules the class out (the threshold of arc consistency,
+/// reasoning.md 2.8).
 inline constexpr double required_gate = 0.05;
 
-/// ln of P(value | class) / P(value | anything else) for a clause with hit rate alpha and background beta.
+/// ln of P(value | class) / P(value | anything else) for a clause with hit rate alpha and
+/// background beta.
 double log_likelihood_ratio(double value, double hit_rate, double background);
 
 class Matcher {
@@ -39,19 +44,27 @@ class Matcher {
   /// `items` are surfaces; groups are appended as they are found.
   Matcher(const Ontology& ontology, std::vector<Item> items, const Surrounding& around);
 
-  /// All beliefs. Two passes: required clauses in the order of need, then the `usually` clauses on the beliefs of the first.
+  /// All beliefs. Two passes: required clauses in the order of need, then the `usually` clauses on
+  /// the beliefs of the first.
   void run();
 
   [[nodiscard]] const std::vector<Item>& items() const { return items_; }
   [[nodiscard]] std::size_t surface_count() const { return surface_count_; }
   /// Of one class, by rising item.
-  [[nodiscard]] const std::vector<Candidate>& candidates(int class_index) const { return candidates_[class_index]; }
+  [[nodiscard]] const std::vector<Candidate>& candidates(int class_index) const {
+    return candidates_[class_index];
+  }
   [[nodiscard]] double belief(int class_index, std::int32_t item) const;
-  [[nodiscard]] const std::vector<Clause>& clauses(int class_index) const { return clauses_[class_index]; }
-  [[nodiscard]] bool is_group_class(int class_index) const { return group_clause_[class_index] >= 0; }
+  [[nodiscard]] const std::vector<Clause>& clauses(int class_index) const {
+    return clauses_[class_index];
+  }
+  [[nodiscard]] bool is_group_class(int class_index) const {
+    return group_clause_[class_index] >= 0;
+  }
 
   /// One clause of a class held against an item, with its evidence; after run().
-  [[nodiscard]] ClauseValue evaluate(int class_index, const Clause& clause, std::int32_t item) const;
+  [[nodiscard]] ClauseValue evaluate(int class_index, const Clause& clause,
+                                     std::int32_t item) const;
 
  private:
   struct Target {
@@ -78,10 +91,11 @@ class Matcher {
   std::unordered_map<std::string, int> class_of_name_;  ///< looked up, never walked through
   UnaryIndex index_;
   std::vector<std::vector<Candidate>> candidates_;
-  std::vector<std::vector<Target>> targets_;  ///< of a class, falling belief
+  std::vector<std::vector<Target>> targets_;                   ///< of a class, falling belief
   std::vector<Evidence> horizontal_, vertical_, rectangular_;  ///< of each surface
   std::vector<double> group_value_;  ///< P(enough members) of each item, groups only
-  double low_level_ = 0.0, high_level_ = 0.0;  ///< [m] the 1st and 99th percentile of observed area over height
+  double low_level_ = 0.0,
+         high_level_ = 0.0;  ///< [m] the 1st and 99th percentile of observed area over height
   Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();
   std::vector<std::int32_t> largest_;  ///< items that "outermost" looks at
 };

@@ -72,16 +72,18 @@ struct SourceFile {
   std::string text;
 };
 
-/// Loads `text` and what it imports, imported classes first. `chain`: files that are being read, for the circle's message.
-void load(const std::string& text, const std::string& file, std::vector<std::string>& chain, std::vector<SourceFile>& sources,
-          Ontology& all) {
+/// Loads `text` and what it imports, imported classes first. `chain`: files that are being read,
+/// for the circle's message.
+void load(const std::string& text, const std::string& file, std::vector<std::string>& chain,
+          std::vector<SourceFile>& sources, Ontology& all) {
   Ontology one = parse_sdl(text, file);
   sources.push_back({file, text});
   chain.push_back(file);
   for (const auto& import : one.imports) {
     const fs::path path = locate(import, fs::path(file).parent_path());
     if (path.empty()) {
-      fail_data(file, "", "imports '" + import + "', which is not found", suggestion(import, known_ontologies()));
+      fail_data(file, "", "imports '" + import + "', which is not found",
+                suggestion(import, known_ontologies()));
     }
     const std::string name = path.string();
     if (const auto at = std::find(chain.begin(), chain.end(), name); at != chain.end()) {
@@ -89,7 +91,8 @@ void load(const std::string& text, const std::string& file, std::vector<std::str
       for (auto i = at; i != chain.end(); ++i) circle += *i + " imports ";
       fail_data(file, "", "imports go in a circle: " + circle + name);
     }
-    const bool loaded = std::any_of(sources.begin(), sources.end(), [&](const auto& s) { return s.file == name; });
+    const bool loaded =
+        std::any_of(sources.begin(), sources.end(), [&](const auto& s) { return s.file == name; });
     if (!loaded) load(read_file(path), name, chain, sources, all);
   }
   chain.pop_back();
@@ -98,7 +101,8 @@ void load(const std::string& text, const std::string& file, std::vector<std::str
       const int other = all.find(name);
       if (other < 0) continue;
       if (all.classes[other].file == file) {
-        fail_sdl(text, file, description.place, "class '" + name + "' is described twice in this file");
+        fail_sdl(text, file, description.place,
+                 "class '" + name + "' is described twice in this file");
       }
       all.classes.erase(all.classes.begin() + other);  // the importing file has the last word
     }
@@ -109,7 +113,8 @@ void load(const std::string& text, const std::string& file, std::vector<std::str
 }
 
 void resolve(Ontology& ontology, const std::vector<SourceFile>& sources) {
-  const auto fail = [&](const std::string& file, SourcePlace place, const std::string& cause, const std::string& remedy) {
+  const auto fail = [&](const std::string& file, SourcePlace place, const std::string& cause,
+                        const std::string& remedy) {
     for (const auto& source : sources) {
       if (source.file == file) fail_sdl(source.text, file, place, cause, remedy);
     }
@@ -119,7 +124,8 @@ void resolve(Ontology& ontology, const std::vector<SourceFile>& sources) {
     const auto refer = [&](std::string& name, SourcePlace place, bool plural) {
       const int index = ontology.find(name, plural);
       if (index < 0) {
-        fail(description.file, place, "unknown class '" + name + "'", suggestion(name, ontology.class_names()));
+        fail(description.file, place, "unknown class '" + name + "'",
+             suggestion(name, ontology.class_names()));
       } else {
         name = ontology.classes[index].name();
       }
@@ -127,9 +133,11 @@ void resolve(Ontology& ontology, const std::vector<SourceFile>& sources) {
     if (!description.parent.empty()) refer(description.parent, description.place, false);
     if (!description.part_of.empty()) refer(description.part_of, description.place, false);
     for (auto& clause : description.clauses) {
-      if (!clause.target.empty()) refer(clause.target, clause.place, clause.kind == ClauseKind::group);
+      if (!clause.target.empty())
+        refer(clause.target, clause.place, clause.kind == ClauseKind::group);
       if (description.axiom && !clause.target.empty()) {
-        fail(description.file, clause.place, "an axiom depends on no other class, '" + clause_text(clause) + "' does",
+        fail(description.file, clause.place,
+             "an axiom depends on no other class, '" + clause_text(clause) + "' does",
              "write 'class " + description.name() + ":'");
       }
     }
@@ -157,7 +165,8 @@ int Ontology::find(std::string_view class_name, bool plural) const {
 
 std::vector<std::string> Ontology::class_names() const {
   std::vector<std::string> all;
-  for (const auto& description : classes) all.insert(all.end(), description.names.begin(), description.names.end());
+  for (const auto& description : classes)
+    all.insert(all.end(), description.names.begin(), description.names.end());
   return all;
 }
 
@@ -168,7 +177,8 @@ Ontology parse_ontology(const std::string& text, const std::string& file) {
   std::vector<std::string> chain;
   std::vector<SourceFile> sources;
   load(text, file, chain, sources, ontology);
-  if (ontology.classes.empty()) fail_data(file, "", "describes no class", "write 'class desk:' and its clauses");
+  if (ontology.classes.empty())
+    fail_data(file, "", "describes no class", "write 'class desk:' and its clauses");
   resolve(ontology, sources);
   evaluation_order(ontology);
   return ontology;
@@ -179,9 +189,11 @@ Ontology read_ontology(const fs::path& path) {
   // Counted rates lie beside the class files; those of the importing file have the last word.
   std::vector<std::string> files;
   for (const auto& description : ontology.classes) {
-    if (std::find(files.begin(), files.end(), description.file) == files.end()) files.push_back(description.file);
+    if (std::find(files.begin(), files.end(), description.file) == files.end())
+      files.push_back(description.file);
   }
-  if (std::find(files.begin(), files.end(), path.string()) == files.end()) files.push_back(path.string());
+  if (std::find(files.begin(), files.end(), path.string()) == files.end())
+    files.push_back(path.string());
   for (const auto& file : files) {
     const fs::path sidecar = fs::path(file).replace_extension(".background.json");
     if (is_file(sidecar)) apply_background(ontology, read_background(sidecar));
@@ -220,10 +232,12 @@ std::vector<int> evaluation_order(const Ontology& ontology) {
     const auto& description = ontology.classes[c];
     if (!description.parent.empty()) needs[c].push_back(ontology.find(description.parent));
     for (const auto& clause : description.clauses) {
-      if (!clause.usually && !clause.target.empty()) needs[c].push_back(ontology.find(clause.target));
+      if (!clause.usually && !clause.target.empty())
+        needs[c].push_back(ontology.find(clause.target));
     }
   }
-  // Tarjan's strongly connected components come out with what is needed first (Tarjan, SIAM J. Comput. 1, 1972).
+  // Tarjan's strongly connected components come out with what is needed first (Tarjan, SIAM J.
+  // Comput. 1, 1972).
   std::vector<int> index(count, -1), low(count, 0), order, stack;
   std::vector<bool> on_stack(count, false);
   int next = 0;
@@ -250,7 +264,8 @@ std::vector<int> evaluation_order(const Ontology& ontology) {
     }
     const bool self = std::find(needs[v].begin(), needs[v].end(), v) != needs[v].end();
     if (component.size() > 1 || self) {
-      // Walk along required clauses inside the component until a class repeats: that is the circle in its own words.
+      // Walk along required clauses inside the component until a class repeats: that is the circle
+      // in its own words.
       std::vector<int> walk = {*std::min_element(component.begin(), component.end())};
       while (std::count(walk.begin(), walk.end(), walk.back()) < 2) {
         for (const int w : needs[walk.back()]) {
@@ -262,7 +277,8 @@ std::vector<int> evaluation_order(const Ontology& ontology) {
       }
       const auto first = std::find(walk.begin(), walk.end(), walk.back());
       std::string circle;
-      for (auto i = first; i != walk.end(); ++i) circle += (i == first ? "" : " needs ") + ontology.classes[*i].name();
+      for (auto i = first; i != walk.end(); ++i)
+        circle += (i == first ? "" : " needs ") + ontology.classes[*i].name();
       const auto& named = ontology.classes[*first];
       fail_data(named.file, "line " + std::to_string(named.place.line),
                 "class '" + named.name() + "' can never be grounded: " + circle,

@@ -19,13 +19,15 @@ std::string camel(const std::string& words) {
       up = true;
       continue;
     }
-    name += up && !name.empty() ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    name +=
+        up && !name.empty() ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
     up = false;
   }
   return name;
 }
 
-/// A local name that Turtle takes as it is; every other byte goes as its code, so that names stay apart.
+/// A local name that Turtle takes as it is; every other byte goes as its code, so that names stay
+/// apart.
 std::string local_name(const std::string& words) {
   std::string name;
   for (const char c : words) {
@@ -51,12 +53,14 @@ std::string quoted(const std::string& text) {
   return out + "\"";
 }
 
-/// xsd:double always with an exponent: a bare 0.9 would be an xsd:decimal, which a data range of doubles does not hold.
+/// xsd:double always with an exponent: a bare 0.9 would be an xsd:decimal, which a data range of
+/// doubles does not hold.
 std::string turtle_double(double value) { return number_text(value) + "e0"; }
 
 std::string property_of(const std::vector<RelationTerm>& terms) {
   std::string words;
-  for (const auto& term : terms) words += (words.empty() ? "" : " and ") + relation_words(term.relation);
+  for (const auto& term : terms)
+    words += (words.empty() ? "" : " and ") + relation_words(term.relation);
   return camel(words);
 }
 
@@ -71,18 +75,22 @@ std::string restriction(const Clause& clause, std::size_t order) {
   std::string body = "a owl:Restriction ; ";
   switch (clause.kind) {
     case ClauseKind::feature:
-      body += "owl:onProperty sdl:" + feature_word(clause.feature) + " ; owl:someValuesFrom " + data_range(clause.range);
+      body += "owl:onProperty sdl:" + feature_word(clause.feature) + " ; owl:someValuesFrom " +
+              data_range(clause.range);
       break;
     case ClauseKind::relation:
-      body += "owl:onProperty sdl:" + property_of(clause.relations) + " ; owl:someValuesFrom :" + local_name(clause.target);
+      body += "owl:onProperty sdl:" + property_of(clause.relations) +
+              " ; owl:someValuesFrom :" + local_name(clause.target);
       break;
     case ClauseKind::negation:
       // "no such target" is a maximum of none.
       body += "owl:onProperty sdl:" + property_of(clause.relations) +
-              " ; owl:maxQualifiedCardinality \"0\"^^xsd:nonNegativeInteger ; owl:onClass :" + local_name(clause.target);
+              " ; owl:maxQualifiedCardinality \"0\"^^xsd:nonNegativeInteger ; owl:onClass :" +
+              local_name(clause.target);
       break;
     case ClauseKind::group:
-      body += "owl:onProperty sdl:hasMember ; owl:minQualifiedCardinality \"" + std::to_string(clause.count_low) +
+      body += "owl:onProperty sdl:hasMember ; owl:minQualifiedCardinality \"" +
+              std::to_string(clause.count_low) +
               "\"^^xsd:nonNegativeInteger ; owl:onClass :" + local_name(clause.target);
       break;
     default: {
@@ -93,26 +101,29 @@ std::string restriction(const Clause& clause, std::size_t order) {
       body += "owl:onProperty sdl:" + camel(clause_text(bare)) + " ; owl:hasValue true";
     }
   }
-  return "[ " + body + " ;\n    sdl:words " + quoted(clause_text(clause)) + " ; sdl:order " + std::to_string(order) + " ]";
+  return "[ " + body + " ;\n    sdl:words " + quoted(clause_text(clause)) + " ; sdl:order " +
+         std::to_string(order) + " ]";
 }
 
 }  // namespace
 
 std::string ontology_to_turtle(const Ontology& ontology) {
   const std::string base = "https://scanchor.example/ontology/" + local_name(ontology.name);
-  std::string out =
-      "@prefix : <" + base +
-      "#> .\n@prefix sdl: <https://scanchor.example/sdl#> .\n"
-      "@prefix owl: <http://www.w3.org/2002/07/owl#> .\n@prefix rdf: <http://www.w3.org/1999/02/22-rdf-syntax-ns#> .\n"
-      "@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .\n@prefix xsd: <http://www.w3.org/2001/XMLSchema#> .\n\n<" +
-      base + "> a owl:Ontology .\n\n";
+  std::string out = "@prefix : <" + base +
+                    "#> .\n@prefix sdl: <https://scanchor.example/sdl#> .\n"
+                    "@prefix owl: <http://www.w3.org/2002/07/owl#> .\n@prefix rdf: "
+                    "<http://www.w3.org/1999/02/22-rdf-syntax-ns#> .\n"
+                    "@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .\n@prefix xsd: "
+                    "<http://www.w3.org/2001/XMLSchema#> .\n\n<" +
+                    base + "> a owl:Ontology .\n\n";
   for (const auto* annotation : {"words", "order", "axiom", "unique", "severalFaces", "partOf"}) {
     out += std::string("sdl:") + annotation + " a owl:AnnotationProperty .\n";
   }
   for (const auto& word : feature_vocabulary()) {
     out += "sdl:" + std::string(word.word) + " a owl:DatatypeProperty ; rdfs:range xsd:double .\n";
   }
-  for (const auto* flag : {"horizontal", "vertical", "rectangular", "lowest", "highest", "outermost", "largest"}) {
+  for (const auto* flag :
+       {"horizontal", "vertical", "rectangular", "lowest", "highest", "outermost", "largest"}) {
     out += std::string("sdl:") + flag + " a owl:DatatypeProperty ; rdfs:range xsd:boolean .\n";
   }
   out += "sdl:hasMember a owl:ObjectProperty .\n";
@@ -124,9 +135,11 @@ std::string ontology_to_turtle(const Ontology& ontology) {
   std::set<std::string> declared;
   for (const auto& description : ontology.classes) {
     for (const auto& clause : description.clauses) {
-      if (clause.relations.size() < 2 || !declared.insert(property_of(clause.relations)).second) continue;
+      if (clause.relations.size() < 2 || !declared.insert(property_of(clause.relations)).second)
+        continue;
       out += "sdl:" + property_of(clause.relations) + " a owl:ObjectProperty";
-      for (const auto& term : clause.relations) out += " ; rdfs:subPropertyOf sdl:" + camel(relation_words(term.relation));
+      for (const auto& term : clause.relations)
+        out += " ; rdfs:subPropertyOf sdl:" + camel(relation_words(term.relation));
       out += " .\n";
     }
   }
@@ -134,14 +147,16 @@ std::string ontology_to_turtle(const Ontology& ontology) {
     const auto& description = ontology.classes[c];
     out += "\n:" + local_name(description.name()) + " a owl:Class";
     for (std::size_t i = 0; i < description.names.size(); ++i) {
-      out += std::string(" ;\n  ") + (i == 0 ? "rdfs:label " : "<http://www.w3.org/2004/02/skos/core#altLabel> ") +
+      out += std::string(" ;\n  ") +
+             (i == 0 ? "rdfs:label " : "<http://www.w3.org/2004/02/skos/core#altLabel> ") +
              quoted(description.names[i]);
     }
     out += " ;\n  sdl:order " + std::to_string(c);
     if (description.axiom) out += " ;\n  sdl:axiom true";
     if (description.unique) out += " ;\n  sdl:unique true";
     if (description.several_faces) out += " ;\n  sdl:severalFaces true";
-    if (!description.parent.empty()) out += " ;\n  rdfs:subClassOf :" + local_name(description.parent);
+    if (!description.parent.empty())
+      out += " ;\n  rdfs:subClassOf :" + local_name(description.parent);
     if (!description.part_of.empty()) out += " ;\n  sdl:partOf :" + local_name(description.part_of);
     for (std::size_t i = 0; i < description.clauses.size(); ++i) {
       out += " ;\n  rdfs:subClassOf " + restriction(description.clauses[i], i);

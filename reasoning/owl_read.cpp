@@ -1,4 +1,5 @@
-// The way back from Turtle. Without serd it is a clear refusal; the rest of the program does not need it.
+// The way back from Turtle. Without serd it is a clear refusal; the rest of the program does not
+// need it.
 #include <algorithm>
 #include <cstdlib>
 #include <map>
@@ -38,34 +39,44 @@ struct Reading {
 };
 
 std::string full_name(const Reading& reading, const SerdNode* node) {
-  if (node->type == SERD_BLANK) return "_:" + std::string(reinterpret_cast<const char*>(node->buf), node->n_bytes);
-  if (node->type == SERD_LITERAL) return std::string(reinterpret_cast<const char*>(node->buf), node->n_bytes);
+  if (node->type == SERD_BLANK)
+    return "_:" + std::string(reinterpret_cast<const char*>(node->buf), node->n_bytes);
+  if (node->type == SERD_LITERAL)
+    return std::string(reinterpret_cast<const char*>(node->buf), node->n_bytes);
   SerdNode expanded = serd_env_expand_node(reading.env, node);
-  std::string name = expanded.buf != nullptr ? std::string(reinterpret_cast<const char*>(expanded.buf), expanded.n_bytes)
-                                             : std::string(reinterpret_cast<const char*>(node->buf), node->n_bytes);
+  std::string name =
+      expanded.buf != nullptr
+          ? std::string(reinterpret_cast<const char*>(expanded.buf), expanded.n_bytes)
+          : std::string(reinterpret_cast<const char*>(node->buf), node->n_bytes);
   serd_node_free(&expanded);
   return name;
 }
 
-SerdStatus on_base(void* handle, const SerdNode* uri) { return serd_env_set_base_uri(static_cast<Reading*>(handle)->env, uri); }
+SerdStatus on_base(void* handle, const SerdNode* uri) {
+  return serd_env_set_base_uri(static_cast<Reading*>(handle)->env, uri);
+}
 
 SerdStatus on_prefix(void* handle, const SerdNode* name, const SerdNode* uri) {
   return serd_env_set_prefix(static_cast<Reading*>(handle)->env, name, uri);
 }
 
-SerdStatus on_statement(void* handle, SerdStatementFlags, const SerdNode*, const SerdNode* subject, const SerdNode* predicate,
-                        const SerdNode* object, const SerdNode*, const SerdNode*) {
+SerdStatus on_statement(void* handle, SerdStatementFlags, const SerdNode*, const SerdNode* subject,
+                        const SerdNode* predicate, const SerdNode* object, const SerdNode*,
+                        const SerdNode*) {
   auto& reading = *static_cast<Reading*>(handle);
   const std::string s = full_name(reading, subject);
   auto [at, fresh] = reading.graph.try_emplace(s);
   if (fresh) reading.subjects.push_back(s);
-  at->second.emplace_back(full_name(reading, predicate), Value{full_name(reading, object), object->type == SERD_LITERAL});
+  at->second.emplace_back(full_name(reading, predicate),
+                          Value{full_name(reading, object), object->type == SERD_LITERAL});
   return SERD_SUCCESS;
 }
 
 SerdStatus on_error(void* handle, const SerdError* error) {
   auto& reading = *static_cast<Reading*>(handle);
-  if (reading.error.empty()) reading.error = "line " + std::to_string(error->line) + ", column " + std::to_string(error->col);
+  if (reading.error.empty())
+    reading.error =
+        "line " + std::to_string(error->line) + ", column " + std::to_string(error->col);
   return SERD_SUCCESS;
 }
 
@@ -116,7 +127,8 @@ class Back {
       const bool none = text_of(graph_, node, owl_space + "maxQualifiedCardinality") == "0";
       return (none ? "not " : "") + std::string(word.words) + " a " + class_name(target);
     }
-    fail_data(file_, "restriction on " + (property.empty() ? node : property), "cannot be said in a class file");
+    fail_data(file_, "restriction on " + (property.empty() ? node : property),
+              "cannot be said in a class file");
   }
 
  private:
@@ -144,8 +156,10 @@ class Back {
         const std::string value = text_of(graph_, facet, xsd_space + name);
         return value.empty() ? value : number_text(std::strtod(value.c_str(), nullptr));
       };
-      for (const auto* name : {"minInclusive", "minExclusive"}) low = read(name).empty() ? low : read(name);
-      for (const auto* name : {"maxInclusive", "maxExclusive"}) high = read(name).empty() ? high : read(name);
+      for (const auto* name : {"minInclusive", "minExclusive"})
+        low = read(name).empty() ? low : read(name);
+      for (const auto* name : {"maxInclusive", "maxExclusive"})
+        high = read(name).empty() ? high : read(name);
       list = text_of(graph_, list, rdf_space + "rest");
     }
     const std::string unit = dimension == 2 ? " m2" : dimension == 1 ? " m" : "";
@@ -167,12 +181,15 @@ int order_of(const Graph& graph, const std::string& subject) {
 Ontology ontology_from_turtle(const std::string& turtle, const std::string& file) {
   Reading reading;
   reading.env = serd_env_new(nullptr);
-  SerdReader* reader = serd_reader_new(SERD_TURTLE, &reading, nullptr, on_base, on_prefix, on_statement, nullptr);
+  SerdReader* reader =
+      serd_reader_new(SERD_TURTLE, &reading, nullptr, on_base, on_prefix, on_statement, nullptr);
   serd_reader_set_error_sink(reader, on_error, &reading);
-  const SerdStatus status = serd_reader_read_string(reader, reinterpret_cast<const std::uint8_t*>(turtle.c_str()));
+  const SerdStatus status =
+      serd_reader_read_string(reader, reinterpret_cast<const std::uint8_t*>(turtle.c_str()));
   serd_reader_free(reader);
   serd_env_free(reading.env);
-  if (status != SERD_SUCCESS && status != SERD_FAILURE) fail_data(file, reading.error, "is not Turtle");
+  if (status != SERD_SUCCESS && status != SERD_FAILURE)
+    fail_data(file, reading.error, "is not Turtle");
   if (!reading.error.empty()) fail_data(file, reading.error, "is not Turtle");
 
   const Graph& graph = reading.graph;
@@ -181,14 +198,18 @@ Ontology ontology_from_turtle(const std::string& turtle, const std::string& file
   for (const auto& subject : reading.subjects) {
     const bool named = subject.rfind("_:", 0) != 0;
     for (const auto& [p, value] : graph.at(subject)) {
-      if (named && p == rdf_space + "type" && value.text == owl_space + "Class") classes.push_back(subject);
+      if (named && p == rdf_space + "type" && value.text == owl_space + "Class")
+        classes.push_back(subject);
     }
   }
-  std::stable_sort(classes.begin(), classes.end(), [&](const auto& a, const auto& b) { return order_of(graph, a) < order_of(graph, b); });
+  std::stable_sort(classes.begin(), classes.end(), [&](const auto& a, const auto& b) {
+    return order_of(graph, a) < order_of(graph, b);
+  });
   // The text of a class file is the common ground: its reader checks all the rest.
   std::string text;
   for (const auto& subject : classes) {
-    text += (text_of(graph, subject, sdl_space + "axiom") == "true" ? "axiom " : "class ") + back.class_name(subject);
+    text += (text_of(graph, subject, sdl_space + "axiom") == "true" ? "axiom " : "class ") +
+            back.class_name(subject);
     std::vector<std::string> clauses;
     std::string parent;
     for (const auto& [p, value] : graph.at(subject)) {
@@ -200,13 +221,16 @@ Ontology ontology_from_turtle(const std::string& turtle, const std::string& file
         parent = back.class_name(value.text);
       }
     }
-    std::stable_sort(clauses.begin(), clauses.end(), [&](const auto& a, const auto& b) { return order_of(graph, a) < order_of(graph, b); });
+    std::stable_sort(clauses.begin(), clauses.end(), [&](const auto& a, const auto& b) {
+      return order_of(graph, a) < order_of(graph, b);
+    });
     if (!parent.empty()) text += " is a " + parent;
     const std::string whole = text_of(graph, subject, sdl_space + "partOf");
     if (!whole.empty()) text += " part of " + back.class_name(whole);
     text += ":\n";
     if (text_of(graph, subject, sdl_space + "unique") == "true") text += "    unique\n";
-    if (text_of(graph, subject, sdl_space + "severalFaces") == "true") text += "    several faces\n";
+    if (text_of(graph, subject, sdl_space + "severalFaces") == "true")
+      text += "    several faces\n";
     for (const auto& node : clauses) text += "    " + back.clause(node) + "\n";
   }
   if (classes.empty()) fail_data(file, "", "has no owl:Class");
@@ -220,7 +244,8 @@ Ontology ontology_from_turtle(const std::string& turtle, const std::string& file
 namespace scanchor {
 
 Ontology ontology_from_turtle(const std::string&, const std::string& file) {
-  fail_data(file, "", "this program was built without the serd library that reads Turtle", "install libserd-dev and build again");
+  fail_data(file, "", "this program was built without the serd library that reads Turtle",
+            "install libserd-dev and build again");
 }
 
 }  // namespace scanchor

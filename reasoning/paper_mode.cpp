@@ -13,8 +13,10 @@ namespace scanchor {
 
 namespace {
 
-/// Equation 2, mended (S1, S8, S9, S10): `above` compares the centres of mass only, as the paper does (S20 is left as it is).
-Evidence paper_relation(RelationTerm term, const Item& a, const Item& b, const Surrounding& around) {
+/// Equation 2, mended (S1, S8, S9, S10): `above` compares the centres of mass only, as the paper
+/// does (S20 is left as it is).
+Evidence paper_relation(RelationTerm term, const Item& a, const Item& b,
+                        const Surrounding& around) {
   if (term.relation == Relation::above) term.relation = Relation::higher;
   if (term.relation == Relation::below) term.relation = Relation::lower;
   return relate(term, a, b, around);
@@ -36,7 +38,10 @@ struct PaperMatch {
 class PaperMatcher {
  public:
   PaperMatcher(const Ontology& described, std::vector<Item> surfaces, const Surrounding& shared)
-      : ontology(described), items(std::move(surfaces)), around(shared), likelihood(described.classes.size()) {}
+      : ontology(described),
+        items(std::move(surfaces)),
+        around(shared),
+        likelihood(described.classes.size()) {}
 
   const Ontology& ontology;
   std::vector<Item> items;
@@ -64,7 +69,8 @@ class PaperMatcher {
           break;
         }
         case ClauseKind::rectangular: {
-          // S5: R is a number and not a decision; a description without the word has no clause on R.
+          // S5: R is a number and not a decision; a description without the word has no clause on
+          // R.
           evidence = rectangular(item);
           const double d = 1.0 - item.rectangularness.value;
           result.disparity.rectangularness += d;
@@ -81,7 +87,8 @@ class PaperMatcher {
         case ClauseKind::relation:
         case ClauseKind::negation: {
           value = related(clause, id, evidence, entry.targets);
-          if (!clause.usually) theta *= value;  // S16: the conjunction is a product on one shared target
+          if (!clause.usually)
+            theta *= value;  // S16: the conjunction is a product on one shared target
           break;
         }
         default: {
@@ -105,7 +112,8 @@ class PaperMatcher {
   std::vector<double> group_value;
 
  private:
-  double related(const Clause& clause, std::int32_t id, Evidence& evidence, std::vector<std::int32_t>& targets) const {
+  double related(const Clause& clause, std::int32_t id, Evidence& evidence,
+                 std::vector<std::int32_t>& targets) const {
     const int target_class = ontology.find(clause.target);
     double best = 0.0;
     double none = 1.0;
@@ -135,20 +143,24 @@ class PaperMatcher {
     if (clause.kind == ClauseKind::horizontal) evidence = horizontal(item, around, tolerance);
     if (clause.kind == ClauseKind::vertical) evidence = vertical(item, around, tolerance);
     if (clause.kind == ClauseKind::extremum) {
-      // S18: "the largest horizontal plane with the lowest z-value": within 10 cm of the lowest rival of the same description.
+      // S18: "the largest horizontal plane with the lowest z-value": within 10 cm of the lowest
+      // rival of the same description.
       double lowest = INFINITY;
       double highest = -INFINITY;
       double largest = 0.0;
       for (const auto& other : items) {
-        if (!other.has_shape || other.group || !similar_without_extremum(class_index, other)) continue;
+        if (!other.has_shape || other.group || !similar_without_extremum(class_index, other))
+          continue;
         lowest = std::min(lowest, other.z);
         highest = std::max(highest, other.z);
         largest = std::max(largest, other.area.value);
       }
       const double z = clause.extremum == Extremum::lowest ? item.z - lowest : highest - item.z;
-      const bool holds = clause.extremum == Extremum::largest ? item.area.value >= largest
-                         : clause.extremum == Extremum::outermost || z <= 0.10;
-      evidence = {holds ? 1.0 : 0.0, clause.extremum == Extremum::largest ? item.area.value : z, item.z_sigma, "m"};
+      const bool holds = clause.extremum == Extremum::largest
+                             ? item.area.value >= largest
+                             : clause.extremum == Extremum::outermost || z <= 0.10;
+      evidence = {holds ? 1.0 : 0.0, clause.extremum == Extremum::largest ? item.area.value : z,
+                  item.z_sigma, "m"};
     }
     return evidence.likelihood;
   }
@@ -156,7 +168,8 @@ class PaperMatcher {
   bool similar_without_extremum(int class_index, const Item& item) const {
     double off = 0.0;
     for (const auto& clause : all_clauses(ontology, class_index)) {
-      if (clause.kind == ClauseKind::feature) off += miss(feature(clause.feature, clause.range, item).measured, clause.range);
+      if (clause.kind == ClauseKind::feature)
+        off += miss(feature(clause.feature, clause.range, item).measured, clause.range);
       if (clause.kind == ClauseKind::horizontal) off += 1.0 - horizontal(item, around).likelihood;
       if (clause.kind == ClauseKind::vertical) off += 1.0 - vertical(item, around).likelihood;
     }
@@ -166,8 +179,8 @@ class PaperMatcher {
 
 }  // namespace
 
-Labelling reason_as_paper(const Surfaces& surfaces, const Ontology& ontology, const ReasonOptions& options,
-                          const UpDirection& up) {
+Labelling reason_as_paper(const Surfaces& surfaces, const Ontology& ontology,
+                          const ReasonOptions& options, const UpDirection& up) {
   Labelling labelling;
   labelling.mode = "paper";
   labelling.ontology = ontology.name;
@@ -183,7 +196,8 @@ Labelling reason_as_paper(const Surfaces& surfaces, const Ontology& ontology, co
   // S19: bottom-up in the order of need, so the recursion of Theta ends in the axioms.
   for (const int c : evaluation_order(ontology)) {
     const auto clauses = all_clauses(ontology, c);
-    const auto group = std::find_if(clauses.begin(), clauses.end(), [](const Clause& x) { return x.kind == ClauseKind::group; });
+    const auto group = std::find_if(clauses.begin(), clauses.end(),
+                                    [](const Clause& x) { return x.kind == ClauseKind::group; });
     std::size_t begin = 0;
     if (group != clauses.end()) {
       std::vector<Member> pool;
@@ -209,8 +223,9 @@ Labelling reason_as_paper(const Surfaces& surfaces, const Ontology& ontology, co
   }
   for (const auto& item : paper.items) {
     Entity entity = make_entity(item, R.transpose());
-    // S14: of several classes under delta the most likely one is the label; of nearly equal ones that with the longest
-    // description, since a few words fit almost everything ("board" fits every desk).
+    // S14: of several classes under delta the most likely one is the label; of nearly equal ones
+    // that with the longest description, since a few words fit almost everything ("board" fits
+    // every desk).
     for (std::size_t c = 0; c < ontology.classes.size(); ++c) {
       const auto& own = paper.likelihood[c];
       if (static_cast<std::size_t>(item.id) < own.size() && own[item.id] > 0.0) {
@@ -237,7 +252,8 @@ Labelling reason_as_paper(const Surfaces& surfaces, const Ontology& ontology, co
     }
     labelling.entities.push_back(std::move(entity));
   }
-  for (std::size_t i = 0; i < surface_count; ++i) labelling.entity_of_surface.push_back(static_cast<std::int32_t>(i));
+  for (std::size_t i = 0; i < surface_count; ++i)
+    labelling.entity_of_surface.push_back(static_cast<std::int32_t>(i));
   for (auto& entity : labelling.entities) {
     if (entity.members.empty() || entity.label == "unknown") continue;
     for (const auto m : entity.members) {

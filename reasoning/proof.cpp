@@ -4,7 +4,8 @@
 
 namespace scanchor {
 
-std::vector<ProofClause> make_proof(const Matcher& matcher, const Ontology& ontology, int class_index, std::int32_t item) {
+std::vector<ProofClause> make_proof(const Matcher& matcher, const Ontology& ontology,
+                                    int class_index, std::int32_t item) {
   static_cast<void>(ontology);
   std::vector<ProofClause> proof;
   for (const auto& clause : matcher.clauses(class_index)) {

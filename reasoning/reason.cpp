@@ -11,11 +11,15 @@
 namespace scanchor {
 
 void ReasonOptions::describe(OptionList& list) {
-  list.add("mode", mode, "likelihood ratios, or the paper's disparity and product chain", {"default", "paper"});
+  list.add("mode", mode, "likelihood ratios, or the paper's disparity and product chain",
+           {"default", "paper"});
   list.add("up", up, "direction against gravity \"x,y,z\" in the cloud's frame, or \"auto\"");
-  list.add("up_sigma_deg", up_sigma_deg, "deg", "standard deviation of the given up direction", 0.0, 30.0);
-  list.add("report_probability", report_probability, "1", "a class is reported from here on", 0.0, 1.0);
-  list.add("ambiguity_margin", ambiguity_margin, "1", "two classes nearer than that are ambiguous", 0.0, 1.0);
+  list.add("up_sigma_deg", up_sigma_deg, "deg", "standard deviation of the given up direction", 0.0,
+           30.0);
+  list.add("report_probability", report_probability, "1", "a class is reported from here on", 0.0,
+           1.0);
+  list.add("ambiguity_margin", ambiguity_margin, "1", "two classes nearer than that are ambiguous",
+           0.0, 1.0);
 }
 
 Labelling reason(const Surfaces& surfaces, const Ontology& ontology, const ReasonOptions& options) {
@@ -39,11 +43,13 @@ Labelling reason(const Surfaces& surfaces, const Ontology& ontology, const Reaso
   const Eigen::Matrix3d R_level_cloud = levelling(up.up);
   Surrounding around;
   around.up_sigma = up.sigma;
-  if (!surfaces.sensor_positions.empty()) around.viewpoint = R_level_cloud * surfaces.sensor_positions.front();
+  if (!surfaces.sensor_positions.empty())
+    around.viewpoint = R_level_cloud * surfaces.sensor_positions.front();
 
   Matcher matcher(ontology, make_items(surfaces, R_level_cloud), around);
   matcher.run();
-  assign_labels(matcher, surfaces, ontology, options, R_level_cloud.transpose(), up.upright, labelling);
+  assign_labels(matcher, surfaces, ontology, options, R_level_cloud.transpose(), up.upright,
+                labelling);
   return labelling;
 }
 

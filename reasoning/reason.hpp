@@ -12,9 +12,12 @@
 namespace scanchor {
 
 struct ReasonOptions {
-  std::string mode = "default";   ///< "default" (likelihood ratios) or "paper" (disparity and product chain)
-  std::string up = "0,0,1";       ///< direction "x,y,z" in the cloud's frame, or "auto": found from the surfaces
-  double up_sigma_deg = 2.0;      ///< how far the given direction may be off before the floor and walls refine it
+  std::string mode =
+      "default";  ///< "default" (likelihood ratios) or "paper" (disparity and product chain)
+  std::string up =
+      "0,0,1";  ///< direction "x,y,z" in the cloud's frame, or "auto": found from the surfaces
+  double up_sigma_deg =
+      2.0;  ///< how far the given direction may be off before the floor and walls refine it
   double report_probability = 0.5;  ///< a class is reported from here on, below it is "unknown"
   double ambiguity_margin = 0.1;    ///< two classes nearer than that are "ambiguous"
   void describe(OptionList& list);

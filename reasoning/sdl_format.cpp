@@ -7,7 +7,8 @@ namespace scanchor {
 
 namespace {
 
-void put_comments(std::string& out, const std::vector<std::string>& comments, const std::string& indent) {
+void put_comments(std::string& out, const std::vector<std::string>& comments,
+                  const std::string& indent) {
   bool blank = false;
   for (const auto& comment : comments) {
     if (comment == blank_line) {
@@ -55,7 +56,8 @@ std::string ontology_to_sdl(const Ontology& ontology) {
     if (!out.empty()) out += "\n";
     put_comments(out, description.comments, "");
     std::string header = description.axiom ? "axiom " : "class ";
-    for (std::size_t i = 0; i < description.names.size(); ++i) header += (i == 0 ? "" : ", ") + description.names[i];
+    for (std::size_t i = 0; i < description.names.size(); ++i)
+      header += (i == 0 ? "" : ", ") + description.names[i];
     if (!description.parent.empty()) header += " is a " + description.parent;
     if (!description.part_of.empty()) header += " part of " + description.part_of;
     put_line(out, header + ":", description.comment);
@@ -70,6 +72,8 @@ std::string ontology_to_sdl(const Ontology& ontology) {
   return out;
 }
 
-std::string format_sdl(const std::string& text, const std::string& file) { return ontology_to_sdl(parse_sdl(text, file)); }
+std::string format_sdl(const std::string& text, const std::string& file) {
+  return ontology_to_sdl(parse_sdl(text, file));
+}
 
 }  // namespace scanchor

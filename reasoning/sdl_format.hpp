@@ -7,9 +7,9 @@
 
 namespace scanchor {
 
-/// The text in its standard form: four blanks of indentation, one blank line between classes, canonical words and units as written.
-/// All comments are kept. Idempotent: format(format(x)) == format(x), and the meaning is the same.
-/// Throws Error(bad_data) like the reader.
+/// The text in its standard form: four blanks of indentation, one blank line between classes,
+/// canonical words and units as written. All comments are kept. Idempotent: format(format(x)) ==
+/// format(x), and the meaning is the same. Throws Error(bad_data) like the reader.
 std::string format_sdl(const std::string& text, const std::string& file);
 
 /// The same from the tree, imported classes as its own.

@@ -9,8 +9,8 @@
 
 namespace scanchor {
 
-void fail_sdl(const std::string& text, const std::string& file, SourcePlace place, const std::string& cause,
-              const std::string& remedy) {
+void fail_sdl(const std::string& text, const std::string& file, SourcePlace place,
+              const std::string& cause, const std::string& remedy) {
   std::size_t begin = 0;
   for (int line = 1; line < place.line && begin < text.size(); ++line) {
     const std::size_t end = text.find('\n', begin);
@@ -19,7 +19,8 @@ void fail_sdl(const std::string& text, const std::string& file, SourcePlace plac
   std::string line = text.substr(begin, text.find('\n', begin) - begin);
   while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
   std::replace(line.begin(), line.end(), '\t', ' ');
-  std::string message = file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": " + cause;
+  std::string message =
+      file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": " + cause;
   if (!remedy.empty()) message += "; " + remedy;
   message += "\n  " + line + "\n  " + std::string(std::max(0, place.column - 1), ' ') + "^";
   throw Error(ExitCode::bad_data, message);
@@ -29,8 +30,8 @@ namespace {
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '/' || c == '\'' ||
-         static_cast<unsigned char>(c) >= 0x80;
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '/' ||
+         c == '\'' || static_cast<unsigned char>(c) >= 0x80;
 }
 
 Token scan_number(std::string_view line, std::size_t& i) {
@@ -65,7 +66,8 @@ Line scan_line(std::string_view line, int number) {
     }
     if (c == '#') {
       std::string comment(line.substr(i + 1));
-      while (!comment.empty() && std::isspace(static_cast<unsigned char>(comment.back())) != 0) comment.pop_back();
+      while (!comment.empty() && std::isspace(static_cast<unsigned char>(comment.back())) != 0)
+        comment.pop_back();
       if (!comment.empty() && comment.front() == ' ') comment.erase(0, 1);
       result.comment = comment;
       result.has_comment = true;
@@ -85,7 +87,9 @@ Line scan_line(std::string_view line, int number) {
       token.kind = Token::Kind::word;
       token.text = std::string(line.substr(begin, i - begin));
     } else {
-      token.kind = c == ',' ? Token::Kind::comma : c == ':' ? Token::Kind::colon : Token::Kind::other;
+      token.kind = c == ','   ? Token::Kind::comma
+                   : c == ':' ? Token::Kind::colon
+                              : Token::Kind::other;
       token.text = std::string(1, c);
       ++i;
     }
@@ -94,7 +98,8 @@ Line scan_line(std::string_view line, int number) {
   }
   Token end;
   end.column = result.tokens.empty() ? static_cast<int>(line.size()) + 1
-                                     : result.tokens.back().column + static_cast<int>(result.tokens.back().text.size());
+                                     : result.tokens.back().column +
+                                           static_cast<int>(result.tokens.back().text.size());
   result.tokens.push_back(end);
   return result;
 }

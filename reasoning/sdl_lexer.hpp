@@ -1,5 +1,6 @@
 #pragma once
-// Lines of a class file as tokens. The language goes line by line: a clause is a line, indentation says what belongs to what.
+// Lines of a class file as tokens. The language goes line by line: a clause is a line, indentation
+// says what belongs to what.
 
 #include <string>
 #include <string_view>
@@ -7,7 +8,8 @@
 
 namespace scanchor {
 
-/// A word may hold letters, digits, underscores, hyphens, slashes, apostrophes and all of UTF-8 beyond ASCII.
+/// A word may hold letters, digits, underscores, hyphens, slashes, apostrophes and all of UTF-8
+/// beyond ASCII.
 struct Token {
   enum class Kind { word, number, dots, comma, colon, other, end };
   Kind kind = Kind::end;
@@ -19,8 +21,8 @@ struct Token {
 /// One line; `tokens` ends with an `end` token.
 struct Line {
   std::vector<Token> tokens;
-  int number = 0;  ///< from 1
-  int indent = 0;  ///< blanks in front; a tab counts four
+  int number = 0;       ///< from 1
+  int indent = 0;       ///< blanks in front; a tab counts four
   std::string comment;  ///< behind '#'
   bool has_comment = false;
 };

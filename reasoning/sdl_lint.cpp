@@ -52,7 +52,8 @@ class Linter {
   }
 
  private:
-  void add(const std::string& rule, const ClassDescription& description, SourcePlace place, const std::string& text) {
+  void add(const std::string& rule, const ClassDescription& description, SourcePlace place,
+           const std::string& text) {
     findings_.push_back({rule, description.file, place, text});
   }
 
@@ -61,13 +62,14 @@ class Linter {
     const auto clauses = all_clauses(ontology_, c);
     const auto ranges = intervals(clauses);
     const auto impossible = [&](const std::string& why, SourcePlace place) {
-      add("contradiction", description, place, "class '" + description.name() + "' can never hold: " + why);
+      add("contradiction", description, place,
+          "class '" + description.name() + "' can never hold: " + why);
       dead_.insert(c);
     };
     for (const auto& [feature, interval] : ranges) {
       if (interval.low <= interval.high) continue;
-      impossible(feature_word(feature) + " would have to be at least " + number_text(interval.low) + " and at most " +
-                     number_text(interval.high),
+      impossible(feature_word(feature) + " would have to be at least " + number_text(interval.low) +
+                     " and at most " + number_text(interval.high),
                  place_of(clauses, feature, description.place));
       return;
     }
@@ -75,18 +77,20 @@ class Linter {
     const double extension = ranges.at(Feature::extension).high;
     const double width = std::min(ranges.at(Feature::width).high, extension);
     if (area > extension * width) {
-      impossible("area at least " + number_text(area) + " m2 does not fit into sides of at most " + number_text(extension) +
-                     " x " + number_text(width) + " m",
+      impossible("area at least " + number_text(area) + " m2 does not fit into sides of at most " +
+                     number_text(extension) + " x " + number_text(width) + " m",
                  place_of(clauses, Feature::area, description.place));
       return;
     }
     if (ranges.at(Feature::width).low > extension) {
-      impossible("width is never above extension", place_of(clauses, Feature::width, description.place));
+      impossible("width is never above extension",
+                 place_of(clauses, Feature::width, description.place));
       return;
     }
     const auto has = [&](ClauseKind kind) {
-      return std::any_of(clauses.begin(), clauses.end(),
-                         [&](const Clause& x) { return x.kind == kind && !x.usually && !x.range.has_high(); });
+      return std::any_of(clauses.begin(), clauses.end(), [&](const Clause& x) {
+        return x.kind == kind && !x.usually && !x.range.has_high();
+      });
     };
     if (has(ClauseKind::horizontal) && has(ClauseKind::vertical)) {
       impossible("horizontal and vertical", description.place);
@@ -97,15 +101,19 @@ class Linter {
       const int target = ontology_.find(clause.target);
       if (dead_.count(target) != 0) {
         add("never grounded", description, clause.place,
-            "class '" + description.name() + "' needs '" + clause.target + "', which can never hold");
+            "class '" + description.name() + "' needs '" + clause.target +
+                "', which can never hold");
         dead_.insert(c);
         return;
       }
       std::set<Relation> relations;
       for (const auto& term : clause.relations) relations.insert(term.relation);
-      const auto both = [&](Relation a, Relation b) { return relations.count(a) != 0 && relations.count(b) != 0; };
-      if (both(Relation::parallel, Relation::orthogonal) || both(Relation::above, Relation::below) ||
-          both(Relation::higher, Relation::lower) || both(Relation::left_of, Relation::right_of) ||
+      const auto both = [&](Relation a, Relation b) {
+        return relations.count(a) != 0 && relations.count(b) != 0;
+      };
+      if (both(Relation::parallel, Relation::orthogonal) ||
+          both(Relation::above, Relation::below) || both(Relation::higher, Relation::lower) ||
+          both(Relation::left_of, Relation::right_of) ||
           both(Relation::in_front_of, Relation::behind)) {
         impossible("'" + clause_text(clause) + "' excludes itself", clause.place);
         return;
@@ -113,7 +121,8 @@ class Linter {
     }
   }
 
-  static SourcePlace place_of(const std::vector<Clause>& clauses, Feature feature, SourcePlace fallback) {
+  static SourcePlace place_of(const std::vector<Clause>& clauses, Feature feature,
+                              SourcePlace fallback) {
     for (auto clause = clauses.rbegin(); clause != clauses.rend(); ++clause) {
       if (clause->kind == ClauseKind::feature && clause->feature == feature) return clause->place;
     }
@@ -127,20 +136,25 @@ class Linter {
       if (clause.kind != ClauseKind::feature) continue;
       std::vector<Clause> others;
       for (const auto& other : clauses) {
-        if (other.kind == ClauseKind::feature && other.place.line == clause.place.line && other.range == clause.range) continue;
+        if (other.kind == ClauseKind::feature && other.place.line == clause.place.line &&
+            other.range == clause.range)
+          continue;
         others.push_back(other);
       }
       const auto left = intervals(others).at(clause.feature);
       if (clause.range.low <= left.low && clause.range.high >= left.high) {
         add("always true", description, clause.place,
-            "'" + clause_text(clause) + "' of class '" + description.name() + "' says nothing beyond the other clauses");
+            "'" + clause_text(clause) + "' of class '" + description.name() +
+                "' says nothing beyond the other clauses");
       }
     }
     for (std::size_t i = 0; i < clauses.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        if (clauses[i].kind != ClauseKind::feature && clause_text(clauses[i]) == clause_text(clauses[j])) {
+        if (clauses[i].kind != ClauseKind::feature &&
+            clause_text(clauses[i]) == clause_text(clauses[j])) {
           add("always true", description, clauses[i].place,
-              "'" + clause_text(clauses[i]) + "' of class '" + description.name() + "' is said twice");
+              "'" + clause_text(clauses[i]) + "' of class '" + description.name() +
+                  "' is said twice");
         }
       }
     }
@@ -156,14 +170,16 @@ class Linter {
       if (clause.kind == ClauseKind::group && clause.target == description.name()) return;
     }
     add("part without relation", description, description.place,
-        "class '" + description.name() + "' names no relation to its whole '" + description.part_of + "'");
+        "class '" + description.name() + "' names no relation to its whole '" +
+            description.part_of + "'");
   }
 
   void same_descriptions() {
     std::map<std::string, int> seen;
     for (std::size_t c = 0; c < ontology_.classes.size(); ++c) {
       std::vector<std::string> texts;
-      for (const auto& clause : all_clauses(ontology_, static_cast<int>(c))) texts.push_back(clause_text(clause));
+      for (const auto& clause : all_clauses(ontology_, static_cast<int>(c)))
+        texts.push_back(clause_text(clause));
       std::sort(texts.begin(), texts.end());
       std::string key;
       for (const auto& text : texts) key += text + "\n";
@@ -186,8 +202,8 @@ class Linter {
 std::vector<LintFinding> lint(const Ontology& ontology) { return Linter(ontology).run(); }
 
 std::string lint_text(const LintFinding& finding) {
-  return finding.file + ":" + std::to_string(finding.place.line) + ":" + std::to_string(finding.place.column) + ": " +
-         finding.rule + ": " + finding.text;
+  return finding.file + ":" + std::to_string(finding.place.line) + ":" +
+         std::to_string(finding.place.column) + ": " + finding.rule + ": " + finding.text;
 }
 
 }  // namespace scanchor

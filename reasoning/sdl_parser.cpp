@@ -36,7 +36,8 @@ class Parser {
       if (line_.indent == 0) {
         const std::size_t classes = ontology.classes.size();
         top_level(ontology, comments);
-        if (ontology.classes.size() == classes) continue;  // an import: what stands above it goes to the first class
+        if (ontology.classes.size() == classes)
+          continue;  // an import: what stands above it goes to the first class
       } else {
         indented(ontology, comments);
       }
@@ -74,11 +75,13 @@ class Parser {
     return true;
   }
   [[nodiscard]] SourcePlace place(const Token& token) const { return {line_.number, token.column}; }
-  [[noreturn]] void fail(const Token& token, const std::string& cause, const std::string& remedy = "") const {
+  [[noreturn]] void fail(const Token& token, const std::string& cause,
+                         const std::string& remedy = "") const {
     fail_sdl(text_, file_, place(token), cause, remedy);
   }
   void expect_end() const {
-    if (peek().kind != Token::Kind::end) fail(peek(), "nothing more was expected here, found '" + peek().text + "'");
+    if (peek().kind != Token::Kind::end)
+      fail(peek(), "nothing more was expected here, found '" + peek().text + "'");
   }
 
   void top_level(Ontology& ontology, const std::vector<std::string>& comments) {
@@ -94,7 +97,9 @@ class Parser {
     }
     if (first.kind != Token::Kind::word || (first.text != "class" && first.text != "axiom")) {
       const bool clause_like = !ontology.classes.empty() && first.text != "Class";
-      fail(first, "a line that is not indented begins with 'class', 'axiom' or 'import', found '" + first.text + "'",
+      fail(first,
+           "a line that is not indented begins with 'class', 'axiom' or 'import', found '" +
+               first.text + "'",
            clause_like && !nearest_word(first.text, {"class", "axiom", "import"})
                ? "indent it if it is a clause"
                : suggestion(first.text, {"class", "axiom", "import"}));
@@ -118,7 +123,8 @@ class Parser {
         fail(peek(), "expected 'is a', 'part of' or ':', found '" + peek().text + "'");
       }
     }
-    if (peek().kind != Token::Kind::colon) fail(peek(), "a class begins with 'class name:', the ':' is missing");
+    if (peek().kind != Token::Kind::colon)
+      fail(peek(), "a class begins with 'class name:', the ':' is missing");
     take();
     expect_end();
     ontology.classes.push_back(std::move(description));
@@ -127,8 +133,10 @@ class Parser {
   // Words up to the end of the name: a comma, a colon, the end or one of `stops`.
   std::string name(const std::vector<std::string>& stops) {
     std::string result;
-    while (peek().kind == Token::Kind::word || (peek().kind == Token::Kind::number && !result.empty())) {
-      if (!result.empty() && std::find(stops.begin(), stops.end(), peek().text) != stops.end()) break;
+    while (peek().kind == Token::Kind::word ||
+           (peek().kind == Token::Kind::number && !result.empty())) {
+      if (!result.empty() && std::find(stops.begin(), stops.end(), peek().text) != stops.end())
+        break;
       result += (result.empty() ? "" : " ") + take().text;
     }
     if (result.empty()) fail(peek(), "a name of a class was expected here");
@@ -136,7 +144,8 @@ class Parser {
   }
 
   void indented(Ontology& ontology, const std::vector<std::string>& comments) {
-    if (ontology.classes.empty()) fail(peek(), "a clause needs a class above it, such as 'class desk:'");
+    if (ontology.classes.empty())
+      fail(peek(), "a clause needs a class above it, such as 'class desk:'");
     auto& description = ontology.classes.back();
     if (!description.clauses.empty() && description.clauses.back().kind == ClauseKind::group &&
         line_.indent > group_indent_) {
@@ -169,7 +178,8 @@ class Parser {
     }
     for (const auto& clause : description.clauses) {
       if (clause.kind == ClauseKind::group && clause.pairwise.empty()) {
-        fail_sdl(text_, file_, clause.place, "'each pair' needs at least one indented line such as 'parallel'");
+        fail_sdl(text_, file_, clause.place,
+                 "'each pair' needs at least one indented line such as 'parallel'");
       }
     }
   }
@@ -220,9 +230,10 @@ class Parser {
       expect_end();
       return true;
     }
-    const std::pair<std::string_view, ClauseKind> plain[] = {{"horizontal", ClauseKind::horizontal},
-                                                             {"vertical", ClauseKind::vertical},
-                                                             {"rectangular", ClauseKind::rectangular}};
+    const std::pair<std::string_view, ClauseKind> plain[] = {
+        {"horizontal", ClauseKind::horizontal},
+        {"vertical", ClauseKind::vertical},
+        {"rectangular", ClauseKind::rectangular}};
     for (const auto& [word, kind] : plain) {
       if (!accept(word)) continue;
       clause.kind = kind;
@@ -238,8 +249,9 @@ class Parser {
   double number() {
     const Token token = take();
     if (token.kind != Token::Kind::number) {
-      fail(token, token.kind == Token::Kind::end ? "a number was expected here, the line ends"
-                                                 : "a number was expected here, found '" + token.text + "'");
+      fail(token, token.kind == Token::Kind::end
+                      ? "a number was expected here, the line ends"
+                      : "a number was expected here, found '" + token.text + "'");
     }
     return token.value;
   }
@@ -264,11 +276,14 @@ class Parser {
     double b = a;
     if (!low && !high && !result.about) {
       if (peek().kind != Token::Kind::dots) {
-        fail(first, "'" + what + "' takes a range: 0.9..1.7, or 'at least', 'at most', 'under', 'over', 'about'");
+        fail(first,
+             "'" + what +
+                 "' takes a range: 0.9..1.7, or 'at least', 'at most', 'under', 'over', 'about'");
       }
       take();
       b = number();
-      if (b < a) fail(first, "the range is empty: " + number_text(a) + " is above " + number_text(b));
+      if (b < a)
+        fail(first, "the range is empty: " + number_text(a) + " is above " + number_text(b));
     }
     const double scale = unit(dimension, what, result.unit);
     if (result.about) {
@@ -288,15 +303,17 @@ class Parser {
       }
       return 1.0;
     }
-    const std::vector<std::string> wanted = dimension == 2   ? std::vector<std::string>{"m2", "cm2", "mm2"}
-                                            : dimension == 1 ? std::vector<std::string>{"m", "cm", "mm"}
-                                                             : std::vector<std::string>{"deg"};
+    const std::vector<std::string> wanted =
+        dimension == 2   ? std::vector<std::string>{"m2", "cm2", "mm2"}
+        : dimension == 1 ? std::vector<std::string>{"m", "cm", "mm"}
+                         : std::vector<std::string>{"deg"};
     const Token token = peek();
     const UnitWord* found = token.kind == Token::Kind::word ? find_unit(token.text) : nullptr;
     if (found == nullptr) {
-      const bool missing = token.kind != Token::Kind::word || token.text == "above" || token.text == "of";
-      fail(token, missing ? "a unit is missing behind the number"
-                          : "unknown unit '" + token.text + "'",
+      const bool missing =
+          token.kind != Token::Kind::word || token.text == "above" || token.text == "of";
+      fail(token,
+           missing ? "a unit is missing behind the number" : "unknown unit '" + token.text + "'",
            suggestion(missing ? "" : token.text, wanted));
     }
     if (found->dimension != dimension) {
@@ -337,14 +354,16 @@ class Parser {
     } else {
       const Token token = peek();
       clause.count_low = count();
-      if (peek().kind != Token::Kind::dots) fail(peek(), "a count is '2..5', 'at least 2', 'at most 5' or 'exactly 4'");
+      if (peek().kind != Token::Kind::dots)
+        fail(peek(), "a count is '2..5', 'at least 2', 'at most 5' or 'exactly 4'");
       take();
       clause.count_high = count();
       if (clause.count_high < clause.count_low) fail(token, "the range of the count is empty");
     }
     clause.target = clause.written_target = name({});
     if (peek().kind == Token::Kind::comma) take();
-    if (!accept_words("each pair")) fail(peek(), "a group goes on with ', each pair' and indented pair relations");
+    if (!accept_words("each pair"))
+      fail(peek(), "a group goes on with ', each pair' and indented pair relations");
     if (peek().kind != Token::Kind::end) pair_line(clause);
   }
 
@@ -373,7 +392,8 @@ class Parser {
 
   [[nodiscard]] std::string rest() const {
     std::string text;
-    for (std::size_t i = 0; peek(i).kind != Token::Kind::end; ++i) text += (i == 0 ? "" : " ") + peek(i).text;
+    for (std::size_t i = 0; peek(i).kind != Token::Kind::end; ++i)
+      text += (i == 0 ? "" : " ") + peek(i).text;
     return text;
   }
 
@@ -382,9 +402,10 @@ class Parser {
       clause.relations.push_back(relation_term());
     } while (accept("and"));
     if (!accept("a") && !accept("an") && !accept("the")) {
-      fail(peek(), peek().kind == Token::Kind::end ? "the relation has no target: write 'a desk'"
-                                                   : "'a', 'an' or 'the' and a class was expected, found '" +
-                                                         peek().text + "'");
+      fail(peek(),
+           peek().kind == Token::Kind::end
+               ? "the relation has no target: write 'a desk'"
+               : "'a', 'an' or 'the' and a class was expected, found '" + peek().text + "'");
     }
     clause.target = name({});
     expect_end();
@@ -418,15 +439,18 @@ class Parser {
       return term;
     }
     for (const auto& word : relation_vocabulary()) {
-      // The preposition may be left out where another relation follows: "orthogonal and above a desk".
+      // The preposition may be left out where another relation follows: "orthogonal and above a
+      // desk".
       if (accept_words(word.words)) return {word.relation, {}};
-      if (at_word(word.pair_words) && at_word("and", 1) && accept(word.pair_words)) return {word.relation, {}};
+      if (at_word(word.pair_words) && at_word("and", 1) && accept(word.pair_words))
+        return {word.relation, {}};
     }
     std::vector<std::string> known;
     for (const auto& word : feature_vocabulary()) known.emplace_back(word.word);
     for (const auto& word : extremum_vocabulary()) known.emplace_back(word.word);
     for (const auto& word : relation_vocabulary()) known.push_back(split_words(word.words).front());
-    for (const auto* word : {"horizontal", "vertical", "rectangular", "usually", "within", "not"}) known.emplace_back(word);
+    for (const auto* word : {"horizontal", "vertical", "rectangular", "usually", "within", "not"})
+      known.emplace_back(word);
     fail(first, "unknown clause '" + first.text + "'", suggestion(first.text, known));
   }
 
@@ -445,6 +469,8 @@ class Parser {
 
 }  // namespace
 
-Ontology parse_sdl(const std::string& text, const std::string& file) { return Parser(text, file).parse(); }
+Ontology parse_sdl(const std::string& text, const std::string& file) {
+  return Parser(text, file).parse();
+}
 
 }  // namespace scanchor

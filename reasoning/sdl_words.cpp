@@ -56,9 +56,8 @@ const std::vector<ExtremumWord>& extremum_vocabulary() {
 
 const std::vector<UnitWord>& unit_vocabulary() {
   static const std::vector<UnitWord> words = {
-      {"m", 1.0, 1},      {"cm", 0.01, 1},   {"mm", 0.001, 1},
-      {"m2", 1.0, 2},     {"cm2", 1e-4, 2},  {"mm2", 1e-6, 2},
-      {"deg", 1.0, -1},
+      {"m", 1.0, 1},    {"cm", 0.01, 1},  {"mm", 0.001, 1}, {"m2", 1.0, 2},
+      {"cm2", 1e-4, 2}, {"mm2", 1e-6, 2}, {"deg", 1.0, -1},
   };
   return words;
 }
@@ -105,14 +104,16 @@ std::string range_text(const Range& range) {
   if (range.has_low() && range.has_high()) {
     return number_text(range.low / scale) + ".." + number_text(range.high / scale) + tail;
   }
-  if (range.has_low()) return (range.strict ? "over " : "at least ") + number_text(range.low / scale) + tail;
+  if (range.has_low())
+    return (range.strict ? "over " : "at least ") + number_text(range.low / scale) + tail;
   return (range.strict ? "under " : "at most ") + number_text(range.high / scale) + tail;
 }
 
 namespace {
 
 std::string article(const std::string& noun) {
-  const bool vowel = !noun.empty() && std::string_view("aeiou").find(noun.front()) != std::string_view::npos;
+  const bool vowel =
+      !noun.empty() && std::string_view("aeiou").find(noun.front()) != std::string_view::npos;
   return (vowel ? "an " : "a ") + noun;
 }
 
@@ -124,10 +125,13 @@ std::string term_text(const RelationTerm& term) {
       return relation_words(term.relation) + " " + range_text(term.range) + " above";
     case Relation::near:
       if (!term.range.has_high()) break;
-      return range_text(term.range).replace(0, std::string_view("at most").size(), "within") + " of";
+      return range_text(term.range).replace(0, std::string_view("at most").size(), "within") +
+             " of";
     case Relation::coplanar:
       if (!term.range.has_high()) break;
-      return "coplanar " + range_text(term.range).replace(0, std::string_view("at most").size(), "within") + " with";
+      return "coplanar " +
+             range_text(term.range).replace(0, std::string_view("at most").size(), "within") +
+             " with";
     default:
       break;
   }
@@ -159,7 +163,8 @@ std::string clause_text(const Clause& clause) {
     case ClauseKind::horizontal:
     case ClauseKind::vertical:
       text += clause.kind == ClauseKind::horizontal ? "horizontal" : "vertical";
-      return clause.range.has_high() ? text + " within " + number_text(clause.range.high) + " deg" : text;
+      return clause.range.has_high() ? text + " within " + number_text(clause.range.high) + " deg"
+                                     : text;
     case ClauseKind::rectangular:
       return text + "rectangular";
     case ClauseKind::extremum:
@@ -175,11 +180,14 @@ std::string clause_text(const Clause& clause) {
       } else {
         text += std::to_string(clause.count_low) + ".." + std::to_string(clause.count_high);
       }
-      text += " " + (clause.written_target.empty() ? plural(clause.target) : clause.written_target) + ", each pair";
+      text += " " +
+              (clause.written_target.empty() ? plural(clause.target) : clause.written_target) +
+              ", each pair";
       std::string pairs;
       for (const auto& term : clause.pairwise) {
         for (const auto& word : relation_vocabulary()) {
-          if (word.relation == term.relation) pairs += (pairs.empty() ? " " : " and ") + std::string(word.pair_words);
+          if (word.relation == term.relation)
+            pairs += (pairs.empty() ? " " : " and ") + std::string(word.pair_words);
         }
       }
       return text + pairs;

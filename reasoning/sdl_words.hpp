@@ -10,8 +10,9 @@ namespace scanchor {
 
 struct RelationWords {
   Relation relation;
-  std::string_view words;       ///< as printed: "parallel to"
-  std::string_view pair_words;  ///< between two members of a group: "parallel"; empty: not for pairs
+  std::string_view words;  ///< as printed: "parallel to"
+  std::string_view
+      pair_words;  ///< between two members of a group: "parallel"; empty: not for pairs
   bool symmetric;
 };
 const std::vector<RelationWords>& relation_vocabulary();

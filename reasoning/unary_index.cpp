@@ -9,10 +9,13 @@ namespace scanchor {
 namespace {
 
 constexpr double largest_relative_sigma = 0.2;
-// Phi(-1.645) = 0.05: a limit that is missed by more than 1.645 standard deviations is below the gate. The deviation is at most
-// sigma + 0.15 limit (triangle inequality), so x (1 + 1.645 * 0.2) >= limit (1 - 1.645 * 0.15) is necessary, and likewise above.
-constexpr double lower_factor = (1.0 - 1.645 * 0.15) / (1.0 + 1.645 * largest_relative_sigma) * 0.999;
-constexpr double upper_factor = (1.0 + 1.645 * 0.15) / (1.0 - 1.645 * largest_relative_sigma) * 1.001;
+// Phi(-1.645) = 0.05: a limit that is missed by more than 1.645 standard deviations is below the
+// gate. The deviation is at most sigma + 0.15 limit (triangle inequality), so x (1 + 1.645 * 0.2)
+// >= limit (1 - 1.645 * 0.15) is necessary, and likewise above.
+constexpr double lower_factor =
+    (1.0 - 1.645 * 0.15) / (1.0 + 1.645 * largest_relative_sigma) * 0.999;
+constexpr double upper_factor =
+    (1.0 + 1.645 * 0.15) / (1.0 - 1.645 * largest_relative_sigma) * 1.001;
 
 }  // namespace
 
@@ -34,7 +37,9 @@ UnaryIndex::UnaryIndex(const std::vector<Item>& items, const std::vector<Evidenc
     if (horizontal[i].likelihood >= required_gate) put(bins_[1]);
     if (vertical[i].likelihood >= required_gate) put(bins_[2]);
   }
-  const auto by_area = [](const Entry& a, const Entry& b) { return a.area != b.area ? a.area < b.area : a.id < b.id; };
+  const auto by_area = [](const Entry& a, const Entry& b) {
+    return a.area != b.area ? a.area < b.area : a.id < b.id;
+  };
   for (auto& bin : bins_) {
     std::sort(bin.whole.begin(), bin.whole.end(), by_area);
     std::sort(bin.cut.begin(), bin.cut.end(), by_area);
@@ -55,9 +60,11 @@ std::vector<std::int32_t> UnaryIndex::candidates(const std::vector<Clause>& clau
   }
   std::vector<std::int32_t> ids = bin->odd;
   const auto from = [](const std::vector<Entry>& list, double area) {
-    return std::lower_bound(list.begin(), list.end(), area, [](const Entry& e, double a) { return e.area < a; });
+    return std::lower_bound(list.begin(), list.end(), area,
+                            [](const Entry& e, double a) { return e.area < a; });
   };
-  for (auto e = from(bin->whole, low); e != bin->whole.end() && e->area <= high; ++e) ids.push_back(e->id);
+  for (auto e = from(bin->whole, low); e != bin->whole.end() && e->area <= high; ++e)
+    ids.push_back(e->id);
   for (auto e = bin->cut.begin(); e != bin->cut.end() && e->area <= high; ++e) ids.push_back(e->id);
   std::sort(ids.begin(), ids.end());
   return ids;

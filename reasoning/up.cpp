@@ -14,7 +14,7 @@ namespace scanchor {
 namespace {
 
 constexpr double softness = radians(0.7);  // floors and walls of buildings are not exact either
-constexpr double smallest_area = 0.3;      // [m2] that a surface needs to say something about gravity
+constexpr double smallest_area = 0.3;  // [m2] that a surface needs to say something about gravity
 
 std::optional<Eigen::Vector3d> parse_direction(const std::string& text) {
   Eigen::Vector3d v;
@@ -33,7 +33,8 @@ std::optional<Eigen::Vector3d> parse_direction(const std::string& text) {
 
 double area_of(const Surface& surface) { return surface.area.value; }
 
-/// Area that is within about 3 degrees of parallel or orthogonal to the direction, flat parts counted by their heights as well.
+/// Area that is within about 3 degrees of parallel or orthogonal to the direction, flat parts
+/// counted by their heights as well.
 double support(const Surfaces& surfaces, const Eigen::Vector3d& up) {
   double sum = 0.0;
   for (const auto& surface : surfaces.surfaces) {
@@ -45,8 +46,8 @@ double support(const Surfaces& surfaces, const Eigen::Vector3d& up) {
   return sum;
 }
 
-/// Middle heights hold furniture: tops that are seen from above, in the lower half of the room. The sign of the sum says whether
-/// the direction or its opposite is up; about one unit a square metre.
+/// Middle heights hold furniture: tops that are seen from above, in the lower half of the room. The
+/// sign of the sum says whether the direction or its opposite is up; about one unit a square metre.
 double upright_evidence(const Surfaces& surfaces, const Eigen::Vector3d& up) {
   double low = INFINITY;
   double high = -INFINITY;
@@ -62,7 +63,8 @@ double upright_evidence(const Surfaces& surfaces, const Eigen::Vector3d& up) {
     const double c = surface.plane.normal.dot(up);
     if (std::abs(c) < 0.97 || area_of(surface) < 0.05) continue;
     const double z = up.dot(surface.plane.centroid);
-    // The lowest and the highest planes are floor and ceiling either way round; real ones come in pieces at several heights.
+    // The lowest and the highest planes are floor and ceiling either way round; real ones come in
+    // pieces at several heights.
     const double rim = std::max(0.15, 0.12 * (high - low));
     if (z < low + rim || z > high - rim) continue;
     const double weight = std::min(1.0, area_of(surface));
@@ -75,14 +77,17 @@ double upright_evidence(const Surfaces& surfaces, const Eigen::Vector3d& up) {
   return evidence;
 }
 
-/// What frames usually are (ROS REP 103): bodies and maps have z up; optical frames look along z and have y down. A frame in which
-/// everything lies in front of the origin, in a cone of 60 degrees about z, is an optical one. A room's three directions have the same
-/// support but for what is hidden, so a little decides: 1 along the usual up direction (within 8 degrees), -1 against it, else 0.
+/// What frames usually are (ROS REP 103): bodies and maps have z up; optical frames look along z
+/// and have y down. A frame in which everything lies in front of the origin, in a cone of 60
+/// degrees about z, is an optical one. A room's three directions have the same support but for what
+/// is hidden, so a little decides: 1 along the usual up direction (within 8 degrees), -1 against
+/// it, else 0.
 double usual_frame(const Surfaces& surfaces, const Eigen::Vector3d& trial) {
-  const bool optical = std::all_of(surfaces.surfaces.begin(), surfaces.surfaces.end(), [](const Surface& surface) {
-    const Eigen::Vector3d& c = surface.plane.centroid;
-    return c.z() > 0.0 && c.head<2>().norm() < 1.7320508 * c.z();
-  });
+  const bool optical =
+      std::all_of(surfaces.surfaces.begin(), surfaces.surfaces.end(), [](const Surface& surface) {
+        const Eigen::Vector3d& c = surface.plane.centroid;
+        return c.z() > 0.0 && c.head<2>().norm() < 1.7320508 * c.z();
+      });
   const double along = optical ? -trial.y() : trial.z();
   return std::abs(along) > std::cos(radians(8.0)) ? (along > 0.0 ? 1.0 : -1.0) : 0.0;
 }
@@ -93,13 +98,15 @@ UpDirection find_up(const Surfaces& surfaces, const std::string& given, double s
   UpDirection result;
   result.sigma = sigma;
   if (given == "auto") {
-    // Three directions are enough: gravity is the normal of some large surface, or across two of them.
+    // Three directions are enough: gravity is the normal of some large surface, or across two of
+    // them.
     std::vector<Eigen::Vector3d> trials;
     std::vector<const Surface*> large;
     for (const auto& surface : surfaces.surfaces) {
       if (area_of(surface) >= smallest_area) large.push_back(&surface);
     }
-    std::stable_sort(large.begin(), large.end(), [](const auto* a, const auto* b) { return area_of(*a) > area_of(*b); });
+    std::stable_sort(large.begin(), large.end(),
+                     [](const auto* a, const auto* b) { return area_of(*a) > area_of(*b); });
     if (large.size() > 24) large.resize(24);
     for (std::size_t i = 0; i < large.size(); ++i) {
       trials.push_back(large[i]->plane.normal);
@@ -108,17 +115,21 @@ UpDirection find_up(const Surfaces& surfaces, const std::string& given, double s
         if (across.norm() > 0.5) trials.push_back(across.normalized());
       }
     }
-    // A room has three such directions; up is the one with furniture on one side. Area decides first, then furniture.
+    // A room has three such directions; up is the one with furniture on one side. Area decides
+    // first, then furniture.
     double best = -1.0;
     for (const auto& trial : trials) {
-      const double value = support(surfaces, trial) * (1.0 + 0.15 * std::abs(usual_frame(surfaces, trial))) + std::abs(upright_evidence(surfaces, trial));
+      const double value =
+          support(surfaces, trial) * (1.0 + 0.15 * std::abs(usual_frame(surfaces, trial))) +
+          std::abs(upright_evidence(surfaces, trial));
       if (value > best + 1e-9) {
         best = value;
         result.up = trial;
       }
     }
     // The usual sign is worth two square metres of table tops.
-    if (upright_evidence(surfaces, result.up) + 2.0 * usual_frame(surfaces, result.up) < 0.0) result.up = -result.up;
+    if (upright_evidence(surfaces, result.up) + 2.0 * usual_frame(surfaces, result.up) < 0.0)
+      result.up = -result.up;
     result.sigma = radians(5.0);
   } else {
     const auto direction = parse_direction(given);
@@ -126,7 +137,8 @@ UpDirection find_up(const Surfaces& surfaces, const std::string& given, double s
     result.up = *direction;
   }
 
-  // Gauss-Newton on the two tilts, with a prior of the given deviation; Cauchy weights let furniture that leans fall out.
+  // Gauss-Newton on the two tilts, with a prior of the given deviation; Cauchy weights let
+  // furniture that leans fall out.
   const double gate = std::max(radians(8.0), 3.0 * result.sigma);
   const Eigen::Vector3d start = result.up;
   Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
@@ -135,8 +147,10 @@ UpDirection find_up(const Surfaces& surfaces, const std::string& given, double s
     const Eigen::Vector3d e1 = up.unitOrthogonal();
     const Eigen::Vector3d e2 = up.cross(e1);
     const double prior = 1.0 / (result.sigma > 0.0 ? sigma * sigma + 1e-12 : 1e-12);
-    information = Eigen::Matrix2d::Identity() * (given == "auto" ? 1.0 / (radians(5.0) * radians(5.0)) : prior);
-    Eigen::Vector2d gradient = information * Eigen::Vector2d(e1.dot(start - up), e2.dot(start - up));
+    information = Eigen::Matrix2d::Identity() *
+                  (given == "auto" ? 1.0 / (radians(5.0) * radians(5.0)) : prior);
+    Eigen::Vector2d gradient =
+        information * Eigen::Vector2d(e1.dot(start - up), e2.dot(start - up));
     int supports = 0;
     for (const auto& surface : surfaces.surfaces) {
       const double area = area_of(surface);
@@ -144,7 +158,8 @@ UpDirection find_up(const Surfaces& surfaces, const std::string& given, double s
       const Eigen::Vector3d& n = surface.plane.normal;
       const double c = n.dot(up);
       const auto& covariance = surface.plane.normal_covariance;
-      // Small things lean more than large ones: the softness falls with the size, down to that of buildings.
+      // Small things lean more than large ones: the softness falls with the size, down to that of
+      // buildings.
       const double soft = softness * std::max(1.0, 1.0 / std::sqrt(area));
       if (std::abs(c) > std::cos(gate)) {
         const Eigen::Vector3d d = (c > 0.0 ? n : Eigen::Vector3d(-n)) - up;
@@ -169,7 +184,8 @@ UpDirection find_up(const Surfaces& surfaces, const std::string& given, double s
     if (step.norm() < 1e-9) break;
   }
   result.sigma = std::sqrt(0.5 * information.inverse().trace());
-  // One reading of the world is an even bet against "the cloud is upside down" only with a fair amount of furniture.
+  // One reading of the world is an even bet against "the cloud is upside down" only with a fair
+  // amount of furniture.
   const double evidence = upright_evidence(surfaces, result.up);
   result.upright = 1.0 / (1.0 + std::exp(-(evidence + std::log(50.0))));
   return result;

@@ -1,5 +1,6 @@
 #pragma once
-// Which way is up: gravity is never exact, so the direction that was given is refined by the floor and walls near it.
+// Which way is up: gravity is never exact, so the direction that was given is refined by the floor
+// and walls near it.
 
 #include <string>
 
@@ -9,13 +10,15 @@ namespace scanchor {
 
 struct UpDirection {
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< unit, in the cloud's frame
-  double sigma = 0.0;   ///< [rad] standard deviation of each of its two tilts
-  double upright = 1.0; ///< [0, 1] probability that it is not the opposite one: furniture stands on the floor, seen from above
-  int supports = 0;     ///< surfaces that took part in the refinement
+  double sigma = 0.0;    ///< [rad] standard deviation of each of its two tilts
+  double upright = 1.0;  ///< [0, 1] probability that it is not the opposite one: furniture stands
+                         ///< on the floor, seen from above
+  int supports = 0;      ///< surfaces that took part in the refinement
 };
 
-/// `given`: "x,y,z" or "auto" (the direction that most of the observed area is parallel or orthogonal to, its sign from the
-/// furniture). `sigma` [rad]: deviation of the given direction. Throws Error(wrong_usage) if `given` is neither.
+/// `given`: "x,y,z" or "auto" (the direction that most of the observed area is parallel or
+/// orthogonal to, its sign from the furniture). `sigma` [rad]: deviation of the given direction.
+/// Throws Error(wrong_usage) if `given` is neither.
 UpDirection find_up(const Surfaces& surfaces, const std::string& given, double sigma);
 
 }  // namespace scanchor

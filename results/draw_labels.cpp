@@ -104,9 +104,8 @@ Drawing draw_labels(const Surfaces& surfaces, const Labelling& labelling,
     }
     if (options.names &&
         (named ? options.stuff_names || !is_stuff(entity.label) : options.unknown)) {
-      drawing.labels.push_back(
-          {entity.center, label_text(entity), color, named ? 1.0 + entity.probability : 0.0,
-           entity.size.maxCoeff()});
+      drawing.labels.push_back({entity.center, label_text(entity), color,
+                                named ? 1.0 + entity.probability : 0.0, entity.size.maxCoeff()});
     }
     if (named && (options.relations_of == -2 || options.relations_of == entity.id)) {
       add_relations(drawing, labelling, entity, options.relations_of >= 0);

@@ -52,7 +52,8 @@ struct DrawnLabel {
   std::string text;                                  ///< one line
   Color color = ink;                                 ///< of the mark and the border
   double priority = 0.0;                             ///< larger ones are placed first
-  double extent = 0.0;  ///< [m] of the thing; names of what is too small to see are left out. 0: unknown
+  double extent =
+      0.0;  ///< [m] of the thing; names of what is too small to see are left out. 0: unknown
 };
 
 /// An arrow between two things, with a word at its middle.

@@ -15,7 +15,7 @@ constexpr double legend_size = 13.0;
 constexpr double legend_row = 21.0;
 constexpr double legend_most = 300.0;  // [px] longest text in a legend
 constexpr double label_size = 12.5;
-constexpr double label_least = 28.0;   // [px] of a thing that gets its name
+constexpr double label_least = 28.0;  // [px] of a thing that gets its name
 constexpr double bar_height = 180.0;
 constexpr Color panel{255, 255, 255, 225};
 

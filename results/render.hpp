@@ -43,8 +43,9 @@ struct PlacedLabel {
 struct Rendered {
   Image image;
   std::vector<PlacedLabel> labels;  ///< no two boxes overlap
-  std::size_t labels_left_out = 0;  ///< no room, outside the picture, or of a thing too small to see
-  std::vector<float> distance;      ///< [m] along the line of sight, a pixel; 0: nothing there
+  std::size_t labels_left_out =
+      0;                        ///< no room, outside the picture, or of a thing too small to see
+  std::vector<float> distance;  ///< [m] along the line of sight, a pixel; 0: nothing there
 };
 Rendered render_with_details(const Drawing& drawing, const View& view,
                              const RenderOptions& options = {});

@@ -18,9 +18,9 @@ struct ReportOptions {
 };
 
 /// Reads what `scanchor run` left in the folder (summary.json; in each room scan, surfaces, labels,
-/// pictures) and writes the page, whole or not at all. A room whose files are missing or damaged is listed
-/// without its 3D view, damage with its cause. Throws Error(bad_data) if there is no run in the folder, or no viewer
-/// (results/report/bundle.js) beside the program.
+/// pictures) and writes the page, whole or not at all. A room whose files are missing or damaged is
+/// listed without its 3D view, damage with its cause. Throws Error(bad_data) if there is no run in
+/// the folder, or no viewer (results/report/bundle.js) beside the program.
 void write_report(const std::filesystem::path& run_folder, const std::filesystem::path& html,
                   const ReportOptions& options = {});
 

@@ -27,7 +27,8 @@ bool inside(const Point& a, const Point& b, const Point& c, const Point& p) {
   return cross(a, b, p) >= 0.0 && cross(b, c, p) >= 0.0 && cross(c, a, p) >= 0.0;
 }
 
-/// Whether p lies in the loop's interior angle at its corner i. Bridges repeat corners: only one copy sees p.
+/// Whether p lies in the loop's interior angle at its corner i. Bridges repeat corners: only one
+/// copy sees p.
 bool opens_towards(const std::vector<int>& loop, const std::vector<Point>& points, std::size_t i,
                    const Point& p) {
   const std::size_t n = loop.size();

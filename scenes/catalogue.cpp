@@ -18,8 +18,9 @@ double round_to(double value, double steps_per_unit) {
 const std::vector<CatalogueEntry>& entries() {
   static const std::vector<CatalogueEntry> all = [] {
     std::vector<CatalogueEntry> list;
-    for (const auto subject : {table_entries, seating_entries, storage_entries, screen_entries, kitchen_entries,
-                               building_entries, logistics_entries, organic_entries}) {
+    for (const auto subject :
+         {table_entries, seating_entries, storage_entries, screen_entries, kitchen_entries,
+          building_entries, logistics_entries, organic_entries}) {
       for (auto& entry : subject()) list.push_back(std::move(entry));
     }
     return list;
@@ -49,7 +50,10 @@ double mass_of(const Instance& instance, double density) {
 }  // namespace
 
 Maker::Maker(Scene& scene, const FurnitureRequest& request, Instance& thing)
-    : random(stream_seed(request.seed, request.kind)), instance(thing), scene_(scene), request_(request) {}
+    : random(stream_seed(request.seed, request.kind)),
+      instance(thing),
+      scene_(scene),
+      request_(request) {}
 
 template <class Draw>
 double Maker::take(const std::string& name, Draw draw) {
@@ -94,11 +98,13 @@ int Maker::material(const std::vector<std::string>& names) {
   return use_material(scene_, names[random.below(static_cast<std::uint32_t>(names.size()))]);
 }
 
-void Maker::box(const std::string& name, int material, const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
+void Maker::box(const std::string& name, int material, const Eigen::Vector3d& low,
+                const Eigen::Vector3d& high) {
   add(box_part(name, material, 0.5 * (low + high), high - low));
 }
 
-void Maker::leg(const std::string& name, int material, double x, double y, const Eigen::Vector3d& head, double radius) {
+void Maker::leg(const std::string& name, int material, double x, double y,
+                const Eigen::Vector3d& head, double radius) {
   const double slant = std::sqrt((head.x() - x) * (head.x() - x) + (head.y() - y) * (head.y() - y));
   const double sine = slant / std::sqrt(slant * slant + head.z() * head.z());
   add(cylinder_part(name, material, {x, y, glide + radius * sine}, head, radius, 8));
@@ -132,7 +138,8 @@ Instance make_furniture(Scene& scene, const FurnitureRequest& request) {
   for (const auto& [name, value] : request.parameters) {
     const bool angle = name.size() > 4 && name.compare(name.size() - 4, 4, "_deg") == 0;
     if (!std::isfinite(value) || value < 0 || value > (angle ? 180 : 100)) {
-      fail_usage("parameter '" + name + "' of a " + request.kind + " must lie in 0 .. " + (angle ? "180" : "100"));
+      fail_usage("parameter '" + name + "' of a " + request.kind + " must lie in 0 .. " +
+                 (angle ? "180" : "100"));
     }
   }
   instance.loose = entry.info.loose;
@@ -142,8 +149,9 @@ Instance make_furniture(Scene& scene, const FurnitureRequest& request) {
     if (instance.parameters.count(name) != 0) continue;
     std::vector<std::string> known;
     for (const auto& item : instance.parameters) known.push_back(item.first);
-    fail_usage("a " + request.kind + " ('" + instance.variant + "') has no parameter '" + name + "'",
-               suggestion(name, known));
+    fail_usage(
+        "a " + request.kind + " ('" + instance.variant + "') has no parameter '" + name + "'",
+        suggestion(name, known));
   }
   instance.mass = mass_of(instance, entry.info.density);
   return instance;

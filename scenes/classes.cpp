@@ -6,8 +6,9 @@
 
 namespace scanchor {
 
-// Ids are part of the data-set format: append, never renumber. The colours of the classes that every room has follow Okabe and
-// Ito, "Color Universal Design" (2008), which stay apart under protanopia and deuteranopia; a test holds them to that.
+// Ids are part of the data-set format: append, never renumber. The colours of the classes that
+// every room has follow Okabe and Ito, "Color Universal Design" (2008), which stay apart under
+// protanopia and deuteranopia; a test holds them to that.
 const std::vector<ClassInfo>& class_list() {
   static const std::vector<ClassInfo> list = {
       {0, "unlabelled", false, "clutter", {0, 0, 0}},
@@ -84,9 +85,9 @@ std::optional<ClassId> find_class(std::string_view name) {
 }
 
 const std::vector<std::string_view>& s3dis_classes() {
-  static const std::vector<std::string_view> names = {"ceiling", "floor", "wall",     "beam",  "column",
-                                                      "window",  "door",  "table",    "chair", "sofa",
-                                                      "bookcase", "board", "clutter"};
+  static const std::vector<std::string_view> names = {
+      "ceiling", "floor", "wall", "beam",     "column", "window", "door",
+      "table",   "chair", "sofa", "bookcase", "board",  "clutter"};
   return names;
 }
 
@@ -100,7 +101,9 @@ std::int32_t s3dis_index(ClassId id) {
 }
 
 std::string semantic_kitti_yaml() {
-  const auto line = [](ClassId id, const std::string& value) { return fmt::format("  {}: {}\n", id, value); };
+  const auto line = [](ClassId id, const std::string& value) {
+    return fmt::format("  {}: {}\n", id, value);
+  };
   std::string labels = "labels:\n";
   std::string colors = "color_map: # blue, green, red\n";
   std::string to = "learning_map:\n";
@@ -108,8 +111,10 @@ std::string semantic_kitti_yaml() {
   std::string inverse = "learning_map_inv:\n  0: 0\n";
   for (const auto& info : class_list()) {
     labels += line(info.id, fmt::format("\"{}\"", info.name));
-    colors += line(info.id, fmt::format("[{}, {}, {}]", info.color[2], info.color[1], info.color[0]));
-    // Learning class 0 is "unlabelled", which the evaluation ignores; 1..13 are S3DIS in its own order.
+    colors +=
+        line(info.id, fmt::format("[{}, {}, {}]", info.color[2], info.color[1], info.color[0]));
+    // Learning class 0 is "unlabelled", which the evaluation ignores; 1..13 are S3DIS in its own
+    // order.
     to += line(info.id, std::to_string(info.id == unlabelled ? 0 : s3dis_index(info.id) + 1));
   }
   for (std::size_t k = 0; k < s3dis_classes().size(); ++k) {

@@ -16,10 +16,13 @@ std::string label(const Instance& instance, const Part& part) {
   return instance.kind + " " + std::to_string(instance.id) + " '" + part.name + "'";
 }
 
-double cross2(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross2(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
 
 /// Cuts a convex polygon with the half plane to the left of a -> b (Sutherland and Hodgman 1974).
-void clip(std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+void clip(std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d& a,
+          const Eigen::Vector2d& b) {
   std::vector<Eigen::Vector2d> result;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Eigen::Vector2d& p = polygon[i];
@@ -34,7 +37,8 @@ void clip(std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d& a, const
 
 double polygon_area(const std::vector<Eigen::Vector2d>& polygon) {
   double twice = 0.0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) twice += cross2(polygon[i], polygon[(i + 1) % polygon.size()]);
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    twice += cross2(polygon[i], polygon[(i + 1) % polygon.size()]);
   return 0.5 * twice;
 }
 
@@ -98,19 +102,24 @@ std::vector<std::string> interpenetrations(const Scene& scene, double tolerance)
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     if (is_shell(scene.instances[i])) continue;
     const auto boxes = part_boxes(scene.instances[i]);
-    for (std::size_t p = 0; p < boxes.size(); ++p) items.push_back({i, p, boxes[p], bounds_of(boxes[p])});
+    for (std::size_t p = 0; p < boxes.size(); ++p)
+      items.push_back({i, p, boxes[p], bounds_of(boxes[p])});
   }
-  std::stable_sort(items.begin(), items.end(), [](const Item& a, const Item& b) { return a.bounds.min().x() < b.bounds.min().x(); });
+  std::stable_sort(items.begin(), items.end(), [](const Item& a, const Item& b) {
+    return a.bounds.min().x() < b.bounds.min().x();
+  });
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < items.size(); ++i) {
-    for (std::size_t j = i + 1; j < items.size() && items[j].bounds.min().x() < items[i].bounds.max().x(); ++j) {
+    for (std::size_t j = i + 1;
+         j < items.size() && items[j].bounds.min().x() < items[i].bounds.max().x(); ++j) {
       const Item& a = items[i];
       const Item& b = items[j];
       if (a.instance == b.instance || !a.bounds.intersects(b.bounds)) continue;
       if (!boxes_near(a.box, b.box, -tolerance)) continue;
       const Instance& first = scene.instances[a.instance];
       const Instance& second = scene.instances[b.instance];
-      lines.push_back(label(first, first.parts[a.part]) + " and " + label(second, second.parts[b.part]));
+      lines.push_back(label(first, first.parts[a.part]) + " and " +
+                      label(second, second.parts[b.part]));
     }
   }
   return lines;
@@ -128,7 +137,8 @@ std::vector<ClosePair> close_parallel_faces(const Scene& scene, double distance)
           triangle.p[k] = T * part.vertices[static_cast<std::size_t>(part.triangles[t][k])];
           triangle.bounds.extend(triangle.p[k]);
         }
-        const Eigen::Vector3d n = (triangle.p[1] - triangle.p[0]).cross(triangle.p[2] - triangle.p[0]);
+        const Eigen::Vector3d n =
+            (triangle.p[1] - triangle.p[0]).cross(triangle.p[2] - triangle.p[0]);
         if (n.norm() < 1e-12) continue;
         triangle.normal = n.normalized();
         triangle.face = first_face + part.triangle_face[t];
@@ -137,25 +147,32 @@ std::vector<ClosePair> close_parallel_faces(const Scene& scene, double distance)
       first_face += static_cast<std::int32_t>(part.faces.size());
     }
   }
-  std::stable_sort(triangles.begin(), triangles.end(),
-                   [](const auto& a, const auto& b) { return a.bounds.min().x() < b.bounds.min().x(); });
+  std::stable_sort(triangles.begin(), triangles.end(), [](const auto& a, const auto& b) {
+    return a.bounds.min().x() < b.bounds.min().x();
+  });
   constexpr double cos_parallel = 0.9999984769132877;  // 0.1 degrees
   std::vector<ClosePair> pairs;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const WorldTriangle& a = triangles[i];
-    for (std::size_t j = i + 1; j < triangles.size() && triangles[j].bounds.min().x() <= a.bounds.max().x() + distance; ++j) {
+    for (std::size_t j = i + 1;
+         j < triangles.size() && triangles[j].bounds.min().x() <= a.bounds.max().x() + distance;
+         ++j) {
       const WorldTriangle& b = triangles[j];
       if (a.face == b.face) continue;
       const double c = a.normal.dot(b.normal);
       if (std::abs(c) < cos_parallel) continue;
       const Eigen::Vector3d reach = Eigen::Vector3d::Constant(distance);
-      if (!Eigen::AlignedBox3d(a.bounds.min() - reach, a.bounds.max() + reach).intersects(b.bounds)) continue;
+      if (!Eigen::AlignedBox3d(a.bounds.min() - reach, a.bounds.max() + reach).intersects(b.bounds))
+        continue;
       // The overlap seen along a's normal, and b's height over a's plane at its corners.
       const Eigen::Vector3d u = (a.p[1] - a.p[0]).normalized();
       const Eigen::Vector3d v = a.normal.cross(u);
-      const auto flat = [&](const Eigen::Vector3d& p) { return Eigen::Vector2d(u.dot(p - a.p[0]), v.dot(p - a.p[0])); };
+      const auto flat = [&](const Eigen::Vector3d& p) {
+        return Eigen::Vector2d(u.dot(p - a.p[0]), v.dot(p - a.p[0]));
+      };
       std::vector<Eigen::Vector2d> overlap = {flat(b.p[0]), flat(b.p[1]), flat(b.p[2])};
-      for (int k = 0; k < 3 && !overlap.empty(); ++k) clip(overlap, flat(a.p[k]), flat(a.p[(k + 1) % 3]));
+      for (int k = 0; k < 3 && !overlap.empty(); ++k)
+        clip(overlap, flat(a.p[k]), flat(a.p[(k + 1) % 3]));
       // Neighbours share an edge: rounding makes slivers of them.
       if (overlap.size() < 3 || std::abs(polygon_area(overlap)) < 1e-8) continue;
       double low = std::numeric_limits<double>::infinity();
@@ -174,7 +191,11 @@ std::vector<ClosePair> close_parallel_faces(const Scene& scene, double distance)
   std::sort(pairs.begin(), pairs.end(), [](const ClosePair& a, const ClosePair& b) {
     return std::tie(a.face_a, a.face_b, a.distance) < std::tie(b.face_a, b.face_b, b.distance);
   });
-  pairs.erase(std::unique(pairs.begin(), pairs.end(), [](const ClosePair& a, const ClosePair& b) { return a.face_a == b.face_a && a.face_b == b.face_b; }), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end(),
+                          [](const ClosePair& a, const ClosePair& b) {
+                            return a.face_a == b.face_a && a.face_b == b.face_b;
+                          }),
+              pairs.end());
   return pairs;
 }
 
@@ -210,7 +231,8 @@ double FloorGrid::reachable_share() const {
   return free_cells == 0 ? 0.0 : static_cast<double>(reached) / static_cast<double>(free_cells);
 }
 
-FloorGrid walkable_floor(const Scene& scene, const Eigen::AlignedBox2d& room, double radius, const Eigen::Vector2d& start) {
+FloorGrid walkable_floor(const Scene& scene, const Eigen::AlignedBox2d& room, double radius,
+                         const Eigen::Vector2d& start) {
   FloorGrid grid;
   grid.low = room.min();
   grid.nx = static_cast<int>(room.sizes().x() / grid.cell);
@@ -218,7 +240,9 @@ FloorGrid walkable_floor(const Scene& scene, const Eigen::AlignedBox2d& room, do
   const auto cells = static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny);
   grid.free.assign(cells, 1);
   grid.reachable.assign(cells, 0);
-  const auto center = [&](int x, int y) { return Eigen::Vector2d(grid.low + grid.cell * Eigen::Vector2d(x + 0.5, y + 0.5)); };
+  const auto center = [&](int x, int y) {
+    return Eigen::Vector2d(grid.low + grid.cell * Eigen::Vector2d(x + 0.5, y + 0.5));
+  };
   for (const auto& instance : scene.instances) {
     if (is_shell(instance) || instance.kind == "door") continue;
     for (const auto& box : part_boxes(instance)) {
@@ -227,14 +251,21 @@ FloorGrid walkable_floor(const Scene& scene, const Eigen::AlignedBox2d& room, do
       // Footprint: the shadow of the box on the floor, a convex polygon.
       std::vector<Eigen::Vector2d> shadow;
       for (int corner = 0; corner < 8; ++corner) {
-        const Eigen::Vector3d sign((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1);
+        const Eigen::Vector3d sign((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1,
+                                   (corner & 4) != 0 ? 1 : -1);
         shadow.push_back((box.center + box.axes * sign.cwiseProduct(box.half)).head<2>());
       }
       shadow = convex_hull(shadow);
-      const int x0 = std::max(0, static_cast<int>(std::floor((bounds.min().x() - radius - grid.low.x()) / grid.cell)));
-      const int x1 = std::min(grid.nx - 1, static_cast<int>(std::floor((bounds.max().x() + radius - grid.low.x()) / grid.cell)));
-      const int y0 = std::max(0, static_cast<int>(std::floor((bounds.min().y() - radius - grid.low.y()) / grid.cell)));
-      const int y1 = std::min(grid.ny - 1, static_cast<int>(std::floor((bounds.max().y() + radius - grid.low.y()) / grid.cell)));
+      const int x0 = std::max(
+          0, static_cast<int>(std::floor((bounds.min().x() - radius - grid.low.x()) / grid.cell)));
+      const int x1 = std::min(
+          grid.nx - 1,
+          static_cast<int>(std::floor((bounds.max().x() + radius - grid.low.x()) / grid.cell)));
+      const int y0 = std::max(
+          0, static_cast<int>(std::floor((bounds.min().y() - radius - grid.low.y()) / grid.cell)));
+      const int y1 = std::min(
+          grid.ny - 1,
+          static_cast<int>(std::floor((bounds.max().y() + radius - grid.low.y()) / grid.cell)));
       for (int y = y0; y <= y1; ++y) {
         for (int x = x0; x <= x1; ++x) {
           auto& cell = grid.free[grid.index(x, y)];
@@ -258,7 +289,8 @@ FloorGrid walkable_floor(const Scene& scene, const Eigen::AlignedBox2d& room, do
   for (int y = 0; y < grid.ny; ++y) {
     for (int x = 0; x < grid.nx; ++x) {
       const Eigen::Vector2d p = center(x, y);
-      if ((p - room.min()).minCoeff() < radius || (room.max() - p).minCoeff() < radius) grid.free[grid.index(x, y)] = 0;
+      if ((p - room.min()).minCoeff() < radius || (room.max() - p).minCoeff() < radius)
+        grid.free[grid.index(x, y)] = 0;
     }
   }
   std::vector<std::pair<int, int>> stack;
@@ -271,7 +303,8 @@ FloorGrid walkable_floor(const Scene& scene, const Eigen::AlignedBox2d& room, do
   while (!stack.empty()) {
     const auto [x, y] = stack.back();
     stack.pop_back();
-    for (const auto& [dx, dy] : {std::pair{1, 0}, std::pair{-1, 0}, std::pair{0, 1}, std::pair{0, -1}}) {
+    for (const auto& [dx, dy] :
+         {std::pair{1, 0}, std::pair{-1, 0}, std::pair{0, 1}, std::pair{0, -1}}) {
       if (!grid.inside(x + dx, y + dy)) continue;
       const std::size_t i = grid.index(x + dx, y + dy);
       if (grid.free[i] == 0 || grid.reachable[i] != 0) continue;

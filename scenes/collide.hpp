@@ -1,5 +1,6 @@
 #pragma once
-// Where things are in each other's way: oriented boxes of parts, floor that can be walked on, and faces that lie too near.
+// Where things are in each other's way: oriented boxes of parts, floor that can be walked on, and
+// faces that lie too near.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -13,22 +14,24 @@ namespace scanchor {
 /// The box of one part in its own frame, in the world. Exact for box parts, a hull for others.
 struct OrientedBox {
   Eigen::Vector3d center;
-  Eigen::Matrix3d axes;   ///< columns: unit directions of the sides
-  Eigen::Vector3d half;   ///< [m] half sides
+  Eigen::Matrix3d axes;  ///< columns: unit directions of the sides
+  Eigen::Vector3d half;  ///< [m] half sides
 };
 std::vector<OrientedBox> part_boxes(const Instance& instance);
 Eigen::AlignedBox3d bounds_of(const OrientedBox& box);
 
-/// Whether two boxes come nearer than `gap` [m] (negative: overlap by more than that), by the 15 separating axes
-/// (Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996). Between skew edges the test errs to the side of "near".
+/// Whether two boxes come nearer than `gap` [m] (negative: overlap by more than that), by the 15
+/// separating axes (Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996). Between skew edges the
+/// test errs to the side of "near".
 bool boxes_near(const OrientedBox& a, const OrientedBox& b, double gap);
 
-/// Pairs of things whose parts overlap by more than `tolerance` [m]: one line each, "desk 7 'top' and box 12 'box'". Floor, walls and
-/// ceiling are left out: what stands in a wall's opening belongs there.
+/// Pairs of things whose parts overlap by more than `tolerance` [m]: one line each, "desk 7 'top'
+/// and box 12 'box'". Floor, walls and ceiling are left out: what stands in a wall's opening
+/// belongs there.
 std::vector<std::string> interpenetrations(const Scene& scene, double tolerance);
 
-/// Two triangles of different faces that are parallel within 0.1 degrees, overlap by more than a sliver when seen along their normal,
-/// and come nearer than `distance` [m].
+/// Two triangles of different faces that are parallel within 0.1 degrees, overlap by more than a
+/// sliver when seen along their normal, and come nearer than `distance` [m].
 struct ClosePair {
   std::int32_t face_a, face_b;  ///< indices into all_faces
   double distance;              ///< [m] smallest
@@ -55,7 +58,9 @@ struct FloorGrid {
   /// Share of the free cells that are reachable.
   [[nodiscard]] double reachable_share() const;
 };
-/// Obstacles are the parts of all things but floor, walls, ceiling and doors that reach into z = 0.03 .. 1.9 m.
-FloorGrid walkable_floor(const Scene& scene, const Eigen::AlignedBox2d& room, double radius, const Eigen::Vector2d& start);
+/// Obstacles are the parts of all things but floor, walls, ceiling and doors that reach into z =
+/// 0.03 .. 1.9 m.
+FloorGrid walkable_floor(const Scene& scene, const Eigen::AlignedBox2d& room, double radius,
+                         const Eigen::Vector2d& start);
 
 }  // namespace scanchor

@@ -16,12 +16,14 @@ namespace {
 
 double to_mm(double v) { return std::floor(v * 1000.0 + 0.5) / 1000.0; }
 
-Instance board(Scene& scene, const char* class_name, const Eigen::Vector3d& size, const std::string& material) {
+Instance board(Scene& scene, const char* class_name, const Eigen::Vector3d& size,
+               const std::string& material) {
   Instance instance;
   instance.class_id = *find_class(class_name);
   instance.kind = "board";
   instance.variant = "plain";
-  instance.parts.push_back(box_part("board", use_material(scene, material), Eigen::Vector3d::Zero(), size));
+  instance.parts.push_back(
+      box_part("board", use_material(scene, material), Eigen::Vector3d::Zero(), size));
   return instance;
 }
 
@@ -31,7 +33,8 @@ struct Draft {
   Instance a_without;
 };
 
-/// Places are relative to the target's, which stands at the origin of the draft; the room is put around it.
+/// Places are relative to the target's, which stands at the origin of the draft; the room is put
+/// around it.
 Draft draft(Scene& scene, SpatialRelation relation, SequentialRandom& random) {
   Draft d;
   const double width = to_mm(random.uniform(0.7, 1.1));
@@ -40,7 +43,8 @@ Draft draft(Scene& scene, SpatialRelation relation, SequentialRandom& random) {
   const double yaw = random.uniform(-0.4, 0.4);
   const Eigen::Vector3d plate(width, depth, 0.03);
   const Eigen::Vector3d upright(width, 0.03, depth);
-  const auto pose = [&](double x, double y, double z, const Eigen::Matrix3d& turn = Eigen::Matrix3d::Identity()) {
+  const auto pose = [&](double x, double y, double z,
+                        const Eigen::Matrix3d& turn = Eigen::Matrix3d::Identity()) {
     return pose_at({0, 0, 0}, yaw) * pose_at({x, y, z}, turn);
   };
   // Boards hang in the room as if on brackets: nothing else then changes with them.
@@ -53,7 +57,8 @@ Draft draft(Scene& scene, SpatialRelation relation, SequentialRandom& random) {
       d.a = level;
       d.a.T_world_instance = pose(0, 0, height + 0.32);
       d.a_without = d.a;
-      d.a_without.T_world_instance = pose(0, 0, height + 0.32, rotation_about(0, radians(random.uniform(9, 14))));
+      d.a_without.T_world_instance =
+          pose(0, 0, height + 0.32, rotation_about(0, radians(random.uniform(9, 14))));
       break;
     case SpatialRelation::orthogonal:
       d.b = level;
@@ -61,11 +66,13 @@ Draft draft(Scene& scene, SpatialRelation relation, SequentialRandom& random) {
       d.a = board(scene, "monitor", {0.55, 0.03, 0.33}, "screen");
       d.a.T_world_instance = pose(random.uniform(-0.05, 0.05), 0, height + 0.28);
       d.a_without = d.a;
-      d.a_without.T_world_instance.linear() = d.a.T_world_instance.linear() * rotation_about(0, -radians(random.uniform(25, 35)));
+      d.a_without.T_world_instance.linear() =
+          d.a.T_world_instance.linear() * rotation_about(0, -radians(random.uniform(25, 35)));
       break;
     case SpatialRelation::above:
     case SpatialRelation::below: {
-      // From 60 % overlap to a tenth of it; both times near, and neither time on each other or in line.
+      // From 60 % overlap to a tenth of it; both times near, and neither time on each other or in
+      // line.
       const Instance small = board(scene, "box", {0.4, 0.3, 0.2}, "cardboard");
       const double side = random.chance(0.5) ? 1.0 : -1.0;
       const double first = 0.5 * width - 0.05;
@@ -110,7 +117,11 @@ Draft draft(Scene& scene, SpatialRelation relation, SequentialRandom& random) {
     }
     case SpatialRelation::inside: {
       // A crate, and a parcel that hangs in it or beside it.
-      FurnitureRequest crate{"box", "plastic crate", random.below(1000), {{"width", 0.6}, {"depth", 0.5}, {"height", 0.4}}, 0.0};
+      FurnitureRequest crate{"box",
+                             "plastic crate",
+                             random.below(1000),
+                             {{"width", 0.6}, {"depth", 0.5}, {"height", 0.4}},
+                             0.0};
       d.b = make_furniture(scene, crate);
       d.b.T_world_instance = pose(0, 0, height);
       d.a = board(scene, "box", {0.2, 0.18, 0.15}, "cardboard");
@@ -138,7 +149,8 @@ Draft draft(Scene& scene, SpatialRelation relation, SequentialRandom& random) {
       d.a = level;
       d.a.T_world_instance = pose(0, 0, height + 0.33);
       const double less = random.uniform(0.55, 0.7);
-      d.a_without = board(scene, "shelf", {to_mm(less * width), to_mm(less * depth), 0.03}, "beech");
+      d.a_without =
+          board(scene, "shelf", {to_mm(less * width), to_mm(less * depth), 0.03}, "beech");
       d.a_without.T_world_instance = d.a.T_world_instance;
       break;
     }
@@ -197,7 +209,9 @@ ContrastPair contrastive_pair(SpatialRelation relation, std::uint64_t seed, doub
     room.high = {to_mm(random.uniform(4.4, 5.4)), to_mm(random.uniform(3.8, 4.8))};
     add_shell(scene, room);
     const Draft d = draft(scene, relation, random);
-    const Eigen::Isometry3d place = pose_at({to_mm(0.5 * room.high.x() + random.uniform(0.0, 0.4)), to_mm(0.5 * room.high.y() + random.uniform(-0.2, 0.2)), 0.0});
+    const Eigen::Isometry3d place =
+        pose_at({to_mm(0.5 * room.high.x() + random.uniform(0.0, 0.4)),
+                 to_mm(0.5 * room.high.y() + random.uniform(-0.2, 0.2)), 0.0});
     const Eigen::Vector3d eye(0.5, place.translation().y(), 1.3);
     scene.sensor_poses.push_back(pose_at(eye));
     pair.viewpoint = eye;
@@ -212,9 +226,12 @@ ContrastPair contrastive_pair(SpatialRelation relation, std::uint64_t seed, doub
     // Bystanders along the wall behind: the same in both scenes.
     std::vector<Instance> others;
     for (int i = 0; i < 2; ++i) {
-      Instance thing = make_furniture(scene, {i == 0 ? "cabinet" : "waste bin", "", random.below(1U << 20), {}, 0.0});
+      Instance thing = make_furniture(
+          scene, {i == 0 ? "cabinet" : "waste bin", "", random.below(1U << 20), {}, 0.0});
       const Eigen::AlignedBox3d bounds = local_bounds(thing);
-      thing.T_world_instance = pose_at({random.uniform(0.7, room.high.x() - 0.7), room.high.y() - 0.03 - bounds.max().y(), thing.loose ? 0.003 : 0.0});
+      thing.T_world_instance =
+          pose_at({random.uniform(0.7, room.high.x() - 0.7),
+                   room.high.y() - 0.03 - bounds.max().y(), thing.loose ? 0.003 : 0.0});
       others.push_back(std::move(thing));
     }
     pair.with = scene;
@@ -227,12 +244,17 @@ ContrastPair contrastive_pair(SpatialRelation relation, std::uint64_t seed, doub
         to->instances.push_back(thing);
       }
     }
-    const auto margin = [&](const Scene& in) { return relate(instance_body(in, pair.a), instance_body(in, pair.b), relation, eye).margin; };
+    const auto margin = [&](const Scene& in) {
+      return relate(instance_body(in, pair.a), instance_body(in, pair.b), relation, eye).margin;
+    };
     if (margin(pair.with) < clear || margin(pair.without) > -clear) continue;
-    if (!interpenetrations(pair.with, 0.0).empty() || !interpenetrations(pair.without, 0.0).empty()) continue;
+    if (!interpenetrations(pair.with, 0.0).empty() || !interpenetrations(pair.without, 0.0).empty())
+      continue;
     return pair;
   }
-  fail_usage("no contrastive pair for '" + std::string(relation_name(relation)) + "' with a margin of " + std::to_string(clear), "ask for a smaller margin");
+  fail_usage("no contrastive pair for '" + std::string(relation_name(relation)) +
+                 "' with a margin of " + std::to_string(clear),
+             "ask for a smaller margin");
 }
 
 }  // namespace scanchor

@@ -29,8 +29,10 @@ constexpr Family families[] = {
 };
 
 /// Whether everything essential is in its place and can be walked to.
-bool build(const Family& family, Scene& scene, SequentialRandom& random, const RoomOptions& options) {
-  if (family.plan == nullptr) return build_floor(scene, random, options) && !scene.sensor_poses.empty();
+bool build(const Family& family, Scene& scene, SequentialRandom& random,
+           const RoomOptions& options) {
+  if (family.plan == nullptr)
+    return build_floor(scene, random, options) && !scene.sensor_poses.empty();
   const RoomPlan plan = family.plan(scene, random, options);
   build_plan(scene, plan);
   Placer placer(scene, plan.shell, options, random);
@@ -45,8 +47,10 @@ void RoomOptions::describe(OptionList& list) {
   list.add("family", family, "kind of room", room_families());
   list.add("clutter", clutter, "1", "share of the possible clutter that is there", 0.0, 1.0);
   list.add("size_scale", size_scale, "1", "scales the room's sides", 0.5, 3.0);
-  list.add("out_of_square_deg", out_of_square_deg, "deg", "standard deviation of the yaw of furniture against its wall", 0.0, 30.0);
-  list.add("unusual_sizes", unusual_sizes, "1", "share of furniture with sizes outside the usual range", 0.0, 1.0);
+  list.add("out_of_square_deg", out_of_square_deg, "deg",
+           "standard deviation of the yaw of furniture against its wall", 0.0, 30.0);
+  list.add("unusual_sizes", unusual_sizes, "1",
+           "share of furniture with sizes outside the usual range", 0.0, 1.0);
 }
 
 const std::vector<std::string>& room_families() {
@@ -59,9 +63,13 @@ const std::vector<std::string>& room_families() {
 }
 
 Scene generate_room(const RoomOptions& options, std::uint64_t seed) {
-  const auto* family = std::find_if(std::begin(families), std::end(families), [&](const Family& f) { return f.name == options.family; });
-  if (family == std::end(families)) fail_usage("unknown room family '" + options.family + "'", suggestion(options.family, room_families()));
-  // A room whose paths are blocked or that lacks its essentials is furnished anew; the later tries hold less.
+  const auto* family = std::find_if(std::begin(families), std::end(families),
+                                    [&](const Family& f) { return f.name == options.family; });
+  if (family == std::end(families))
+    fail_usage("unknown room family '" + options.family + "'",
+               suggestion(options.family, room_families()));
+  // A room whose paths are blocked or that lacks its essentials is furnished anew; the later tries
+  // hold less.
   RoomOptions used = options;
   for (std::uint64_t attempt = 0;; ++attempt) {
     Scene scene;

@@ -45,13 +45,17 @@ struct Builder {
   }
 };
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
 
 /// Ear clipping (Meisters 1975); triangles as indices into the outline, counter-clockwise.
 std::vector<Eigen::Vector3i> triangulate(const std::vector<Eigen::Vector2d>& outline) {
   std::vector<int> ring(outline.size());
   for (std::size_t i = 0; i < ring.size(); ++i) ring[i] = static_cast<int>(i);
-  const auto point = [&](int i) -> const Eigen::Vector2d& { return outline[static_cast<std::size_t>(i)]; };
+  const auto point = [&](int i) -> const Eigen::Vector2d& {
+    return outline[static_cast<std::size_t>(i)];
+  };
   std::vector<Eigen::Vector3i> triangles;
   while (ring.size() > 3) {
     bool clipped = false;
@@ -110,7 +114,8 @@ Part prism_part(const std::string& name, int material, const std::vector<Eigen::
 Part lathe_part(const std::string& name, int material, const std::vector<Eigen::Vector2d>& profile,
                 int segments, const Eigen::Isometry3d& T_instance_part) {
   Builder builder(name, material, T_instance_part);
-  std::vector<int> first(profile.size());  // first vertex of each ring; a ring of radius 0 is one vertex
+  std::vector<int> first(
+      profile.size());  // first vertex of each ring; a ring of radius 0 is one vertex
   const std::size_t last = profile.size() - 1;
   const bool loop = profile.front() == profile.back() && profile.front().x() > 0;
   for (std::size_t k = 0; k < profile.size(); ++k) {
@@ -197,7 +202,8 @@ Part cushion_part(const std::string& name, int material, const Eigen::Vector3d& 
     const double r = pole ? 0.0 : signed_power(u.cos, exponent);
     first.push_back(static_cast<int>(builder.part.vertices.size()));
     for (int s = 0; s < (pole ? 1 : segments); ++s) {
-      // Half a step off the axes: a vertex lies on each rounded corner instead of in the middle of a side.
+      // Half a step off the axes: a vertex lies on each rounded corner instead of in the middle of
+      // a side.
       const SinCos v = portable_sincos(2.0 * pi * (s + 0.5) / segments);
       builder.vertex({0.5 * size.x() * r * signed_power(v.cos, exponent),
                       0.5 * size.y() * r * signed_power(v.sin, exponent), 0.5 * size.z() * z});
@@ -267,7 +273,8 @@ Part panel_part(const std::string& name, int material, double width, double heig
     for (int i = 0; i + 1 < nx; ++i) {
       if (!solid(i, k)) continue;
       builder.quad(front, at(0, i, k), at(0, i + 1, k), at(0, i + 1, k + 1), at(0, i, k + 1));
-      if (closed) builder.quad(back, at(1, i + 1, k), at(1, i, k), at(1, i, k + 1), at(1, i + 1, k + 1));
+      if (closed)
+        builder.quad(back, at(1, i + 1, k), at(1, i, k), at(1, i, k + 1), at(1, i + 1, k + 1));
     }
   }
   const auto index = [](const std::vector<double>& axis, double value) {
@@ -278,13 +285,16 @@ Part panel_part(const std::string& name, int material, double width, double heig
     const auto right = builder.face("right", true);
     for (int k = 0; k + 1 < nz; ++k) {
       builder.quad(left, at(1, 0, k), at(0, 0, k), at(0, 0, k + 1), at(1, 0, k + 1));
-      builder.quad(right, at(0, nx - 1, k), at(1, nx - 1, k), at(1, nx - 1, k + 1), at(0, nx - 1, k + 1));
+      builder.quad(right, at(0, nx - 1, k), at(1, nx - 1, k), at(1, nx - 1, k + 1),
+                   at(0, nx - 1, k + 1));
     }
     const auto top = builder.face("top", true);
     const auto bottom = builder.face("bottom", true);
     for (int i = 0; i + 1 < nx; ++i) {
-      builder.quad(top, at(0, i, nz - 1), at(0, i + 1, nz - 1), at(1, i + 1, nz - 1), at(1, i, nz - 1));
-      if (solid(i, 0)) builder.quad(bottom, at(1, i, 0), at(1, i + 1, 0), at(0, i + 1, 0), at(0, i, 0));
+      builder.quad(top, at(0, i, nz - 1), at(0, i + 1, nz - 1), at(1, i + 1, nz - 1),
+                   at(1, i, nz - 1));
+      if (solid(i, 0))
+        builder.quad(bottom, at(1, i, 0), at(1, i + 1, 0), at(0, i + 1, 0), at(0, i, 0));
     }
   }
   for (std::size_t h = 0; h < openings.size(); ++h) {
@@ -299,10 +309,12 @@ Part panel_part(const std::string& name, int material, double width, double heig
     // A closed panel has its back vertices already; an open one gets its own behind each opening.
     const auto back_of = [&](int i, int k) {
       if (closed) return at(1, i, k);
-      return builder.vertex({xs[static_cast<std::size_t>(i)], reach, zs[static_cast<std::size_t>(k)]});
+      return builder.vertex(
+          {xs[static_cast<std::size_t>(i)], reach, zs[static_cast<std::size_t>(k)]});
     };
     const auto strip = [&](const std::string& side, int ia, int ka, int ib, int kb) {
-      // From (ia, ka) to (ib, kb) along the rim; the opening lies on the left as seen from the front.
+      // From (ia, ka) to (ib, kb) along the rim; the opening lies on the left as seen from the
+      // front.
       const auto face = builder.face(prefix + side, true);
       const int di = ib > ia ? 1 : ib < ia ? -1 : 0;
       const int dk = kb > ka ? 1 : kb < ka ? -1 : 0;

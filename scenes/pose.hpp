@@ -1,5 +1,6 @@
 #pragma once
-// Poses from angles with bits that do not depend on the C library (Eigen's own AngleAxis calls libm).
+// Poses from angles with bits that do not depend on the C library (Eigen's own AngleAxis calls
+// libm).
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -11,16 +11,20 @@ namespace scanchor {
 namespace {
 
 constexpr std::array<std::string_view, relation_count> names = {
-    "parallel",  "orthogonal",         "above",    "below",   "on",       "supports",    "inside", "near",
-    "same size", "vertically aligned", "coplanar", "left of", "right of", "in front of", "behind"};
+    "parallel", "orthogonal", "above",    "below",       "on",
+    "supports", "inside",     "near",     "same size",   "vertically aligned",
+    "coplanar", "left of",    "right of", "in front of", "behind"};
 
 using Ring2 = std::vector<Eigen::Vector2d>;
 
-double cross2(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross2(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
 
 double area_of(const Ring2& ring) {
   double twice = 0.0;
-  for (std::size_t i = 0; i < ring.size(); ++i) twice += cross2(ring[i], ring[(i + 1) % ring.size()]);
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    twice += cross2(ring[i], ring[(i + 1) % ring.size()]);
   return ring.size() < 3 ? 0.0 : 0.5 * twice;
 }
 
@@ -65,7 +69,8 @@ double overlap_share(const Ring2& a, const Ring2& b) {
 }
 
 /// Distance between two segments (Ericson, Real-Time Collision Detection, 2005, section 5.1.9).
-double segment_distance(const Eigen::Vector3d& p1, const Eigen::Vector3d& d1, const Eigen::Vector3d& p2, const Eigen::Vector3d& d2) {
+double segment_distance(const Eigen::Vector3d& p1, const Eigen::Vector3d& d1,
+                        const Eigen::Vector3d& p2, const Eigen::Vector3d& d2) {
   const Eigen::Vector3d r = p1 - p2;
   const double a = d1.squaredNorm();
   const double e = d2.squaredNorm();
@@ -78,7 +83,8 @@ double segment_distance(const Eigen::Vector3d& p1, const Eigen::Vector3d& d1, co
     return (r + s * d1 - t * d2).norm();
   }
   const double denominator = a * e - b * b;
-  double s = denominator > 1e-12 * a * e ? std::clamp((b * f - c * e) / denominator, 0.0, 1.0) : 0.0;
+  double s =
+      denominator > 1e-12 * a * e ? std::clamp((b * f - c * e) / denominator, 0.0, 1.0) : 0.0;
   double t = (b * s + f) / e;
   if (t < 0.0) {
     t = 0.0;
@@ -90,8 +96,9 @@ double segment_distance(const Eigen::Vector3d& p1, const Eigen::Vector3d& d1, co
   return (r + s * d1 - t * d2).norm();
 }
 
-/// Distance between two boxes. Alternating projections give an upper bound and the faces' axes a lower one, which mostly agree at once;
-/// where they do not, the nearest pair is a corner against a box or an edge against an edge, and all are looked at.
+/// Distance between two boxes. Alternating projections give an upper bound and the faces' axes a
+/// lower one, which mostly agree at once; where they do not, the nearest pair is a corner against a
+/// box or an edge against an edge, and all are looked at.
 double box_distance(const OrientedBox& a, const OrientedBox& b) {
   const auto project = [](const OrientedBox& box, const Eigen::Vector3d& p) {
     const Eigen::Vector3d local = box.axes.transpose() * (p - box.center);
@@ -105,7 +112,8 @@ double box_distance(const OrientedBox& a, const OrientedBox& b) {
   for (const OrientedBox* box : {&a, &b}) {
     for (int k = 0; k < 3; ++k) {
       const Eigen::Vector3d axis = box->axes.col(k);
-      const double reach = (a.axes.transpose() * axis).cwiseAbs().dot(a.half) + (b.axes.transpose() * axis).cwiseAbs().dot(b.half);
+      const double reach = (a.axes.transpose() * axis).cwiseAbs().dot(a.half) +
+                           (b.axes.transpose() * axis).cwiseAbs().dot(b.half);
       apart = std::max(apart, std::abs(axis.dot(d)) - reach);
     }
   }
@@ -125,7 +133,8 @@ double box_distance(const OrientedBox& a, const OrientedBox& b) {
   for (int k = 0; k < 8; ++k) {
     of_a[k] = corner(a, k);
     of_b[k] = corner(b, k);
-    last = std::min({last, (project(b, of_a[k]) - of_a[k]).norm(), (project(a, of_b[k]) - of_b[k]).norm()});
+    last = std::min(
+        {last, (project(b, of_a[k]) - of_a[k]).norm(), (project(a, of_b[k]) - of_b[k]).norm()});
   }
   for (int i = 0; i < 12; ++i) {
     // The four corners that have the axis' sign bit clear begin its four edges.
@@ -134,7 +143,8 @@ double box_distance(const OrientedBox& a, const OrientedBox& b) {
     for (int j = 0; j < 12; ++j) {
       const int other = 1 << (j / 4);
       const int begin = ((j % 4) & (other - 1)) | (((j % 4) & ~(other - 1)) << 1);
-      last = std::min(last, segment_distance(of_a[low], of_a[low | bit] - of_a[low], of_b[begin], of_b[begin | other] - of_b[begin]));
+      last = std::min(last, segment_distance(of_a[low], of_a[low | bit] - of_a[low], of_b[begin],
+                                             of_b[begin | other] - of_b[begin]));
     }
   }
   return last;
@@ -169,7 +179,8 @@ struct Worst {
   void at_most(double value, double limit) { condition((limit - value) / limit, value); }
 };
 
-RelationMargin above_margin(const RelationBody& a, const RelationBody& b, const RelationTolerances& t) {
+RelationMargin above_margin(const RelationBody& a, const RelationBody& b,
+                            const RelationTolerances& t) {
   Worst worst;
   const double gap = a.z_low - b.z_high;
   worst.condition((gap + t.above_gap) / t.above_gap, gap);
@@ -182,7 +193,8 @@ RelationMargin above_margin(const RelationBody& a, const RelationBody& b, const 
   return worst.result;
 }
 
-RelationMargin on_margin(const RelationBody& a, const RelationBody& b, const RelationTolerances& t) {
+RelationMargin on_margin(const RelationBody& a, const RelationBody& b,
+                         const RelationTolerances& t) {
   RelationMargin best{-1e9, 0.0};
   for (const auto& face : b.level_faces) {
     Worst worst;
@@ -194,8 +206,10 @@ RelationMargin on_margin(const RelationBody& a, const RelationBody& b, const Rel
     worst.condition(a.center.z() > face.center.z() ? 1.0 : -1.0, gap);
     const Eigen::Vector3d side = face.normal.cross(face.axis);
     Ring2 carrier;
-    for (const auto& [u, v] : {std::pair{-0.5, -0.5}, std::pair{0.5, -0.5}, std::pair{0.5, 0.5}, std::pair{-0.5, 0.5}}) {
-      carrier.push_back((face.center + u * face.size.x() * face.axis + v * face.size.y() * side).head<2>());
+    for (const auto& [u, v] :
+         {std::pair{-0.5, -0.5}, std::pair{0.5, -0.5}, std::pair{0.5, 0.5}, std::pair{-0.5, 0.5}}) {
+      carrier.push_back(
+          (face.center + u * face.size.x() * face.axis + v * face.size.y() * side).head<2>());
     }
     const double share = overlap_share(a.footprint, convex_hull(carrier));
     worst.condition((share - t.overlap) / (1.0 - t.overlap), share);
@@ -204,29 +218,41 @@ RelationMargin on_margin(const RelationBody& a, const RelationBody& b, const Rel
   return best;
 }
 
-RelationMargin inside_margin(const RelationBody& a, const RelationBody& b, const RelationTolerances& t) {
+RelationMargin inside_margin(const RelationBody& a, const RelationBody& b,
+                             const RelationTolerances& t) {
   const double height = std::max(1e-3, a.z_high - a.z_low);
-  const double within = std::max(0.0, std::min(a.z_high, b.z_high + t.footprint_dilation) - std::max(a.z_low, b.z_low - t.footprint_dilation));
-  const double share = std::min(1.0, within / height) * overlap_share(a.footprint, dilated(b.footprint, t.footprint_dilation));
-  // What is inside is smaller: otherwise two equal boxes side by side on 5 cm would hold each other.
+  const double within = std::max(0.0, std::min(a.z_high, b.z_high + t.footprint_dilation) -
+                                          std::max(a.z_low, b.z_low - t.footprint_dilation));
+  const double share = std::min(1.0, within / height) *
+                       overlap_share(a.footprint, dilated(b.footprint, t.footprint_dilation));
+  // What is inside is smaller: otherwise two equal boxes side by side on 5 cm would hold each
+  // other.
   const double volume_a = height * area_of(a.footprint);
   const double volume_b = std::max(1e-3, b.z_high - b.z_low) * area_of(b.footprint);
   RelationMargin result{(share - t.inside_share) / (1.0 - t.inside_share), share};
-  if (volume_a >= volume_b) result.margin = std::min(result.margin, -1e-9 - (volume_a - volume_b) / volume_a);
+  if (volume_a >= volume_b)
+    result.margin = std::min(result.margin, -1e-9 - (volume_a - volume_b) / volume_a);
   return result;
 }
 
-RelationMargin view_margin(const RelationBody& a, const RelationBody& b, SpatialRelation relation, const Eigen::Vector3d& viewpoint,
-                           const RelationTolerances& t) {
+RelationMargin view_margin(const RelationBody& a, const RelationBody& b, SpatialRelation relation,
+                           const Eigen::Vector3d& viewpoint, const RelationTolerances& t) {
   const Eigen::Vector2d to = (b.center - viewpoint).head<2>();
   const Eigen::Vector2d d = (a.center - b.center).head<2>();
   if (to.norm() < 1e-9 || d.norm() < 1e-9) return {-1.0, 180.0};
   Eigen::Vector2d wanted = to;
   switch (relation) {
-    case SpatialRelation::left_of: wanted = {-to.y(), to.x()}; break;
-    case SpatialRelation::right_of: wanted = {to.y(), -to.x()}; break;
-    case SpatialRelation::in_front_of: wanted = -to; break;
-    default: break;
+    case SpatialRelation::left_of:
+      wanted = {-to.y(), to.x()};
+      break;
+    case SpatialRelation::right_of:
+      wanted = {to.y(), -to.x()};
+      break;
+    case SpatialRelation::in_front_of:
+      wanted = -to;
+      break;
+    default:
+      break;
   }
   const double off = degrees(std::atan2(std::abs(cross2(wanted, d)), wanted.dot(d)));
   return {(t.cone_deg - off) / t.cone_deg, off};
@@ -234,7 +260,9 @@ RelationMargin view_margin(const RelationBody& a, const RelationBody& b, Spatial
 
 }  // namespace
 
-std::string_view relation_name(SpatialRelation relation) { return names[static_cast<std::size_t>(relation)]; }
+std::string_view relation_name(SpatialRelation relation) {
+  return names[static_cast<std::size_t>(relation)];
+}
 
 std::optional<SpatialRelation> find_relation(std::string_view name) {
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -245,11 +273,16 @@ std::optional<SpatialRelation> find_relation(std::string_view name) {
 
 SpatialRelation inverse(SpatialRelation relation) {
   switch (relation) {
-    case SpatialRelation::above: return SpatialRelation::below;
-    case SpatialRelation::below: return SpatialRelation::above;
-    case SpatialRelation::on: return SpatialRelation::supports;
-    case SpatialRelation::supports: return SpatialRelation::on;
-    default: return relation;
+    case SpatialRelation::above:
+      return SpatialRelation::below;
+    case SpatialRelation::below:
+      return SpatialRelation::above;
+    case SpatialRelation::on:
+      return SpatialRelation::supports;
+    case SpatialRelation::supports:
+      return SpatialRelation::on;
+    default:
+      return relation;
   }
 }
 
@@ -260,16 +293,20 @@ bool is_symmetric(SpatialRelation relation) {
     case SpatialRelation::near:
     case SpatialRelation::same_size:
     case SpatialRelation::vertically_aligned:
-    case SpatialRelation::coplanar: return true;
-    default: return false;
+    case SpatialRelation::coplanar:
+      return true;
+    default:
+      return false;
   }
 }
 
 bool needs_viewpoint(SpatialRelation relation) {
-  return relation == SpatialRelation::left_of || relation == SpatialRelation::right_of || relation == SpatialRelation::in_front_of || relation == SpatialRelation::behind;
+  return relation == SpatialRelation::left_of || relation == SpatialRelation::right_of ||
+         relation == SpatialRelation::in_front_of || relation == SpatialRelation::behind;
 }
 
-RelationBody face_body(const Scene& scene, const FaceAddress& address, const RelationTolerances& tolerances) {
+RelationBody face_body(const Scene& scene, const FaceAddress& address,
+                       const RelationTolerances& tolerances) {
   RelationBody body;
   const Instance& instance = scene.instances[static_cast<std::size_t>(address.instance)];
   const Part& part = instance.parts[static_cast<std::size_t>(address.part)];
@@ -297,13 +334,16 @@ RelationBody face_body(const Scene& scene, const FaceAddress& address, const Rel
     }
   }
   body.footprint = convex_hull(std::move(points));
-  const bool upright = std::abs(body.face.normal.z()) < portable_sincos(radians(tolerances.angle_deg)).sin;
+  const bool upright =
+      std::abs(body.face.normal.z()) < portable_sincos(radians(tolerances.angle_deg)).sin;
   if (upright) body.footprint = dilated(body.footprint, tolerances.upright_footprint);
-  if (body.face.normal.z() >= portable_sincos(radians(tolerances.angle_deg)).cos) body.level_faces.push_back(body.face);
+  if (body.face.normal.z() >= portable_sincos(radians(tolerances.angle_deg)).cos)
+    body.level_faces.push_back(body.face);
   return body;
 }
 
-RelationBody instance_body(const Scene& scene, std::size_t index, const RelationTolerances& tolerances) {
+RelationBody instance_body(const Scene& scene, std::size_t index,
+                           const RelationTolerances& tolerances) {
   RelationBody body;
   const Instance& instance = scene.instances[index];
   body.boxes = part_boxes(instance);
@@ -320,7 +360,9 @@ RelationBody instance_body(const Scene& scene, std::size_t index, const Relation
     for (const auto& v : part.vertices) points.push_back((T * v).head<2>());
     for (std::size_t f = 0; f < part.faces.size(); ++f) {
       if (!part.faces[f].planar) continue;
-      const WorldFace face = world_face(scene, {static_cast<std::int32_t>(index), static_cast<std::int32_t>(p), static_cast<std::int32_t>(f)});
+      const WorldFace face =
+          world_face(scene, {static_cast<std::int32_t>(index), static_cast<std::int32_t>(p),
+                             static_cast<std::int32_t>(f)});
       if (face.area > largest) {
         largest = face.area;
         body.face = face;
@@ -330,12 +372,13 @@ RelationBody instance_body(const Scene& scene, std::size_t index, const Relation
     }
   }
   body.footprint = convex_hull(std::move(points));
-  if (area_of(body.footprint) < 1e-4) body.footprint = dilated(body.footprint, tolerances.upright_footprint);
+  if (area_of(body.footprint) < 1e-4)
+    body.footprint = dilated(body.footprint, tolerances.upright_footprint);
   return body;
 }
 
-RelationMargin relate(const RelationBody& a, const RelationBody& b, SpatialRelation relation, const Eigen::Vector3d& viewpoint,
-                      const RelationTolerances& t) {
+RelationMargin relate(const RelationBody& a, const RelationBody& b, SpatialRelation relation,
+                      const Eigen::Vector3d& viewpoint, const RelationTolerances& t) {
   const bool faces = a.has_face && b.has_face;
   Worst worst;
   switch (relation) {
@@ -347,16 +390,25 @@ RelationMargin relate(const RelationBody& a, const RelationBody& b, SpatialRelat
       if (!faces) return {};
       worst.at_most(90.0 - angle_deg(a.face.normal, b.face.normal), t.angle_deg);
       return worst.result;
-    case SpatialRelation::above: return above_margin(a, b, t);
-    case SpatialRelation::below: return above_margin(b, a, t);
-    case SpatialRelation::on: return on_margin(a, b, t);
-    case SpatialRelation::supports: return on_margin(b, a, t);
-    case SpatialRelation::inside: return inside_margin(a, b, t);
-    case SpatialRelation::near: worst.at_most(gap_between(a, b), t.near); return worst.result;
+    case SpatialRelation::above:
+      return above_margin(a, b, t);
+    case SpatialRelation::below:
+      return above_margin(b, a, t);
+    case SpatialRelation::on:
+      return on_margin(a, b, t);
+    case SpatialRelation::supports:
+      return on_margin(b, a, t);
+    case SpatialRelation::inside:
+      return inside_margin(a, b, t);
+    case SpatialRelation::near:
+      worst.at_most(gap_between(a, b), t.near);
+      return worst.result;
     case SpatialRelation::same_size: {
       if (!faces || a.face.size.x() <= 0 || b.face.size.x() <= 0) return {};
-      const double length = std::max(a.face.size.x(), b.face.size.x()) / std::min(a.face.size.x(), b.face.size.x());
-      const double area = std::max(a.face.area, b.face.area) / std::max(1e-12, std::min(a.face.area, b.face.area));
+      const double length =
+          std::max(a.face.size.x(), b.face.size.x()) / std::min(a.face.size.x(), b.face.size.x());
+      const double area =
+          std::max(a.face.area, b.face.area) / std::max(1e-12, std::min(a.face.area, b.face.area));
       worst.condition(1.0 - std::log(length) / std::log(t.same_length), length);
       worst.condition(1.0 - std::log(area) / std::log(t.same_area), area);
       return worst.result;
@@ -366,7 +418,8 @@ RelationMargin relate(const RelationBody& a, const RelationBody& b, SpatialRelat
       const double shorter = std::min(a.face.size.x(), b.face.size.x());
       if (shorter <= 0) return {};
       worst.at_most((a.face.center - b.face.center).head<2>().norm() / shorter, t.aligned);
-      if (a.face.size.x() > t.elongated * a.face.size.y() && b.face.size.x() > t.elongated * b.face.size.y()) {
+      if (a.face.size.x() > t.elongated * a.face.size.y() &&
+          b.face.size.x() > t.elongated * b.face.size.y()) {
         worst.at_most(angle_deg(a.face.axis, b.face.axis), t.angle_deg);
       }
       return worst.result;
@@ -375,10 +428,12 @@ RelationMargin relate(const RelationBody& a, const RelationBody& b, SpatialRelat
       if (!faces) return {};
       worst.at_most(angle_deg(a.face.normal, b.face.normal), t.angle_deg);
       const Eigen::Vector3d d = a.face.center - b.face.center;
-      worst.at_most(std::max(std::abs(a.face.normal.dot(d)), std::abs(b.face.normal.dot(d))), t.coplanar);
+      worst.at_most(std::max(std::abs(a.face.normal.dot(d)), std::abs(b.face.normal.dot(d))),
+                    t.coplanar);
       return worst.result;
     }
-    default: return view_margin(a, b, relation, viewpoint, t);
+    default:
+      return view_margin(a, b, relation, viewpoint, t);
   }
 }
 
@@ -390,11 +445,14 @@ Eigen::Vector3d viewpoint_of(const Scene& scene, const RelationQuery& query) {
   return scene.bounds.isEmpty() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(scene.bounds.center());
 }
 
-std::vector<RelationFact> relations_between(const std::vector<RelationBody>& bodies, const std::vector<std::int32_t>& ids,
-                                            const RelationQuery& query, const Eigen::Vector3d& viewpoint) {
+std::vector<RelationFact> relations_between(const std::vector<RelationBody>& bodies,
+                                            const std::vector<std::int32_t>& ids,
+                                            const RelationQuery& query,
+                                            const Eigen::Vector3d& viewpoint) {
   std::vector<SpatialRelation> wanted = query.relations;
   if (wanted.empty()) {
-    for (std::size_t r = 0; r < relation_count; ++r) wanted.push_back(static_cast<SpatialRelation>(r));
+    for (std::size_t r = 0; r < relation_count; ++r)
+      wanted.push_back(static_cast<SpatialRelation>(r));
   }
   std::vector<RelationFact> facts;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -402,21 +460,25 @@ std::vector<RelationFact> relations_between(const std::vector<RelationBody>& bod
       if (i == j) continue;
       for (const SpatialRelation relation : wanted) {
         if (is_symmetric(relation) && j < i) continue;
-        const RelationMargin value = relate(bodies[i], bodies[j], relation, viewpoint, query.tolerances);
+        const RelationMargin value =
+            relate(bodies[i], bodies[j], relation, viewpoint, query.tolerances);
         if (value.margin >= query.least_margin) facts.push_back({relation, ids[i], ids[j], value});
       }
     }
   }
-  // Of all that could carry a thing, the highest does: a book on a shelf board is not on the board below.
+  // Of all that could carry a thing, the highest does: a book on a shelf board is not on the board
+  // below.
   std::vector<double> height_of(facts.size(), 0.0);
   const auto body_of = [&](std::int32_t id) -> const RelationBody& {
-    return bodies[static_cast<std::size_t>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin())];
+    return bodies[static_cast<std::size_t>(std::lower_bound(ids.begin(), ids.end(), id) -
+                                           ids.begin())];
   };
   const auto carrier_height = [&](const RelationBody& a, const RelationBody& b) {
     double best = -std::numeric_limits<double>::infinity();
     for (const auto& face : b.level_faces) {
       const double gap = a.z_low - face.center.z();
-      if (gap >= query.tolerances.on_low && gap <= query.tolerances.on_high) best = std::max(best, face.center.z());
+      if (gap >= query.tolerances.on_low && gap <= query.tolerances.on_high)
+        best = std::max(best, face.center.z());
     }
     return best;
   };
@@ -428,7 +490,8 @@ std::vector<RelationFact> relations_between(const std::vector<RelationBody>& bod
     const std::int32_t carrier = f.relation == SpatialRelation::on ? f.b : f.a;
     height_of[k] = carrier_height(body_of(thing), body_of(carrier));
     if (!f.value.holds()) continue;
-    const auto found = std::find_if(top.begin(), top.end(), [&](const auto& item) { return item.first == thing; });
+    const auto found =
+        std::find_if(top.begin(), top.end(), [&](const auto& item) { return item.first == thing; });
     if (found == top.end()) {
       top.emplace_back(thing, height_of[k]);
     } else {
@@ -438,9 +501,11 @@ std::vector<RelationFact> relations_between(const std::vector<RelationBody>& bod
   std::vector<RelationFact> kept;
   for (std::size_t k = 0; k < facts.size(); ++k) {
     const RelationFact& f = facts[k];
-    if ((f.relation == SpatialRelation::on || f.relation == SpatialRelation::supports) && f.value.holds()) {
+    if ((f.relation == SpatialRelation::on || f.relation == SpatialRelation::supports) &&
+        f.value.holds()) {
       const std::int32_t thing = f.relation == SpatialRelation::on ? f.a : f.b;
-      const auto found = std::find_if(top.begin(), top.end(), [&](const auto& item) { return item.first == thing; });
+      const auto found = std::find_if(top.begin(), top.end(),
+                                      [&](const auto& item) { return item.first == thing; });
       if (found != top.end() && height_of[k] < found->second) continue;
     }
     kept.push_back(f);
@@ -455,7 +520,9 @@ std::vector<RelationFact> face_relations(const Scene& scene, const RelationQuery
   std::vector<std::int32_t> ids;
   const auto faces = all_faces(scene);
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    const Face& face = scene.instances[static_cast<std::size_t>(faces[f].instance)].parts[static_cast<std::size_t>(faces[f].part)].faces[static_cast<std::size_t>(faces[f].face)];
+    const Face& face = scene.instances[static_cast<std::size_t>(faces[f].instance)]
+                           .parts[static_cast<std::size_t>(faces[f].part)]
+                           .faces[static_cast<std::size_t>(faces[f].face)];
     if (!face.planar || face.area < query.least_area) continue;
     bodies.push_back(face_body(scene, faces[f], query.tolerances));
     ids.push_back(static_cast<std::int32_t>(f));
@@ -473,15 +540,18 @@ std::vector<RelationFact> instance_relations(const Scene& scene, const RelationQ
   return relations_between(bodies, ids, query, viewpoint_of(scene, query));
 }
 
-std::vector<std::int32_t> coplanar_groups(const Scene& scene, double gap, double distance, double angle) {
+std::vector<std::int32_t> coplanar_groups(const Scene& scene, double gap, double distance,
+                                          double angle) {
   const auto faces = all_faces(scene);
   std::vector<RelationBody> bodies(faces.size());
   std::vector<bool> planar(faces.size());
   std::vector<std::int32_t> parent(faces.size());
   std::iota(parent.begin(), parent.end(), 0);
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    const Part& part = scene.instances[static_cast<std::size_t>(faces[f].instance)].parts[static_cast<std::size_t>(faces[f].part)];
-    planar[f] = part.faces[static_cast<std::size_t>(faces[f].face)].planar && part.faces[static_cast<std::size_t>(faces[f].face)].area > 0;
+    const Part& part = scene.instances[static_cast<std::size_t>(faces[f].instance)]
+                           .parts[static_cast<std::size_t>(faces[f].part)];
+    planar[f] = part.faces[static_cast<std::size_t>(faces[f].face)].planar &&
+                part.faces[static_cast<std::size_t>(faces[f].face)].area > 0;
     if (planar[f]) bodies[f] = face_body(scene, faces[f]);
   }
   const auto root = [&](std::int32_t i) {
@@ -495,7 +565,9 @@ std::vector<std::int32_t> coplanar_groups(const Scene& scene, double gap, double
     for (std::size_t j = i + 1; j < faces.size(); ++j) {
       if (!planar[j] || bodies[i].face.normal.dot(bodies[j].face.normal) < cos_angle) continue;
       const Eigen::Vector3d d = bodies[i].face.center - bodies[j].face.center;
-      if (std::abs(bodies[i].face.normal.dot(d)) > distance || std::abs(bodies[j].face.normal.dot(d)) > distance) continue;
+      if (std::abs(bodies[i].face.normal.dot(d)) > distance ||
+          std::abs(bodies[j].face.normal.dot(d)) > distance)
+        continue;
       if (outer.exteriorDistance(bounds_of(bodies[j].boxes[0])) > gap) continue;
       if (box_distance(bodies[i].boxes[0], bodies[j].boxes[0]) > gap) continue;
       const auto a = root(static_cast<std::int32_t>(i));

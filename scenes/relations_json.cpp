@@ -9,7 +9,11 @@ namespace {
 Json facts_json(const std::vector<RelationFact>& facts) {
   Json list = Json::array();
   for (const auto& fact : facts) {
-    list.push_back({{"a", fact.a}, {"relation", relation_name(fact.relation)}, {"b", fact.b}, {"margin", fact.value.margin}, {"value", fact.value.value}});
+    list.push_back({{"a", fact.a},
+                    {"relation", relation_name(fact.relation)},
+                    {"b", fact.b},
+                    {"margin", fact.value.margin},
+                    {"value", fact.value.value}});
   }
   return list;
 }

@@ -37,13 +37,13 @@ Part box_part(const std::string& name, int material, const Eigen::Vector3d& cent
   }
   struct Side {
     const char* name;
-    int axis;           // of the normal
+    int axis;  // of the normal
     int sign;
-    int corners[4];     // counter-clockwise from outside
+    int corners[4];  // counter-clockwise from outside
   };
   static constexpr Side sides[] = {
-      {"top", 2, 1, {4, 5, 7, 6}},   {"bottom", 2, -1, {0, 2, 3, 1}}, {"front", 1, -1, {0, 1, 5, 4}},
-      {"back", 1, 1, {3, 2, 6, 7}},  {"left", 0, -1, {2, 0, 4, 6}},   {"right", 0, 1, {1, 3, 7, 5}},
+      {"top", 2, 1, {4, 5, 7, 6}},  {"bottom", 2, -1, {0, 2, 3, 1}}, {"front", 1, -1, {0, 1, 5, 4}},
+      {"back", 1, 1, {3, 2, 6, 7}}, {"left", 0, -1, {2, 0, 4, 6}},   {"right", 0, 1, {1, 3, 7, 5}},
   };
   for (std::int32_t k = 0; k < 6; ++k) {
     const Side& side = sides[k];

@@ -24,14 +24,16 @@ namespace {
 constexpr const char* format_name = "scanchor scene 1";
 constexpr double largest = 1e4;  // [m] a scene is a room or a floor of a building
 
-// --- writing -----------------------------------------------------------------------------------------------------------------
+// --- writing
+// -----------------------------------------------------------------------------------------------------------------
 
 Json pose_json(const Eigen::Isometry3d& pose) {
   // Rows of the matrix, not a quaternion: they read back to the same bits.
   Json json = {{"position", to_json(Eigen::Vector3d(pose.translation()))}};
   if (pose.linear() != Eigen::Matrix3d::Identity()) {
     json["rotation"] = Json::array();
-    for (int i = 0; i < 3; ++i) json["rotation"].push_back(to_json(Eigen::Vector3d(pose.linear().row(i))));
+    for (int i = 0; i < 3; ++i)
+      json["rotation"].push_back(to_json(Eigen::Vector3d(pose.linear().row(i))));
   }
   return json;
 }
@@ -41,8 +43,9 @@ bool is_identity(const Eigen::Isometry3d& pose) {
 }
 
 bool same_part(const Part& a, const Part& b) {
-  if (a.vertices != b.vertices || a.triangles != b.triangles || a.triangle_face != b.triangle_face ||
-      a.faces.size() != b.faces.size() || a.convex != b.convex) {
+  if (a.vertices != b.vertices || a.triangles != b.triangles ||
+      a.triangle_face != b.triangle_face || a.faces.size() != b.faces.size() ||
+      a.convex != b.convex) {
     return false;
   }
   for (std::size_t i = 0; i < a.faces.size(); ++i) {
@@ -58,7 +61,8 @@ bool same_part(const Part& a, const Part& b) {
 
 /// Centre and size, if the part is exactly what box_part makes of them.
 bool as_box(const Part& part, Eigen::Vector3d& center, Eigen::Vector3d& size) {
-  if (part.vertices.size() != 8 || part.faces.size() != 6 || part.faces[0].name != "top") return false;
+  if (part.vertices.size() != 8 || part.faces.size() != 6 || part.faces[0].name != "top")
+    return false;
   center = {part.faces[0].center.x(), part.faces[0].center.y(), part.faces[2].center.z()};
   const Face& top = part.faces[0];
   const Face& front = part.faces[2];
@@ -136,7 +140,8 @@ void print(const Json& json, std::size_t indent, std::string& out) {
   out += "\n" + std::string(indent, ' ') + (json.is_array() ? "]" : "}");
 }
 
-// --- reading -----------------------------------------------------------------------------------------------------------------
+// --- reading
+// -----------------------------------------------------------------------------------------------------------------
 
 Eigen::Vector3d place_of(const JsonReader& reader) {
   const Eigen::Vector3d v = reader.vector3();
@@ -157,11 +162,13 @@ Eigen::Isometry3d pose_of(const JsonReader& reader) {
   if (reader.has("quaternion")) return reader.pose();
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   if (reader.has("position")) pose.translation() = place_of(reader.at("position"));
-  if (reader.has("yaw_deg")) pose.linear() = rotation_about(2, radians(reader.at("yaw_deg").number()));
+  if (reader.has("yaw_deg"))
+    pose.linear() = rotation_about(2, radians(reader.at("yaw_deg").number()));
   if (reader.has("rotation")) {
     const JsonReader rows = reader.at("rotation");
     if (rows.size() != 3) rows.fail("must be three rows of three numbers");
-    for (int i = 0; i < 3; ++i) pose.linear().row(i) = rows.at(static_cast<std::size_t>(i)).vector3();
+    for (int i = 0; i < 3; ++i)
+      pose.linear().row(i) = rows.at(static_cast<std::size_t>(i)).vector3();
     const Eigen::Matrix3d R = pose.linear();
     const double off = (R * R.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
     if (off > 1e-6 || R.determinant() < 0) rows.fail("is no rotation matrix");
@@ -175,7 +182,8 @@ Material material_of(const JsonReader& reader) {
   material.name = reader.at("name").text();
   if (reader.has("reflectance")) material.reflectance = reader.at("reflectance").number_in(0, 1);
   if (reader.has("specular")) material.specular = reader.at("specular").number_in(0, 1);
-  if (reader.has("transmittance")) material.transmittance = reader.at("transmittance").number_in(0, 1);
+  if (reader.has("transmittance"))
+    material.transmittance = reader.at("transmittance").number_in(0, 1);
   if (reader.has("color")) {
     const JsonReader color = reader.at("color");
     if (color.size() != 3) color.fail("must be three numbers from 0 to 255");
@@ -199,7 +207,8 @@ int material_index(const JsonReader& reader, Scene& scene) {
 
 void read_mesh(const JsonReader& reader, Part& part) {
   const JsonReader vertices = reader.at("vertices");
-  for (std::size_t i = 0; i < vertices.size(); ++i) part.vertices.push_back(place_of(vertices.at(i)));
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    part.vertices.push_back(place_of(vertices.at(i)));
   const JsonReader triangles = reader.at("triangles");
   const auto count = static_cast<std::int64_t>(part.vertices.size());
   for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -237,14 +246,15 @@ void read_mesh(const JsonReader& reader, Part& part) {
       }
       part.triangle_face.push_back(static_cast<std::int32_t>(face));
     }
-    measure_faces(part);  // the numbers in the file are for other programs; these are the ones that count
+    measure_faces(
+        part);  // the numbers in the file are for other programs; these are the ones that count
   }
   part.convex = reader.has("convex") ? reader.at("convex").boolean() : is_convex(part);
 }
 
 Part part_of(const JsonReader& reader, Scene& scene) {
-  reader.only({"name", "material", "pose", "box", "cylinder", "vertices", "triangles", "triangle_face", "faces",
-               "convex"});
+  reader.only({"name", "material", "pose", "box", "cylinder", "vertices", "triangles",
+               "triangle_face", "faces", "convex"});
   const std::string name = reader.has("name") ? reader.at("name").text() : "part";
   const int material = material_index(reader, scene);
   Part part;
@@ -252,8 +262,10 @@ Part part_of(const JsonReader& reader, Scene& scene) {
     const JsonReader box = reader.at("box");
     box.only({"center", "size"});
     const Eigen::Vector3d size = size_of(box.at("size"));
-    part = box_part(name, material,
-                    box.has("center") ? place_of(box.at("center")) : Eigen::Vector3d(0, 0, 0.5 * size.z()), size);
+    part = box_part(
+        name, material,
+        box.has("center") ? place_of(box.at("center")) : Eigen::Vector3d(0, 0, 0.5 * size.z()),
+        size);
   } else if (reader.has("cylinder")) {
     const JsonReader cylinder = reader.at("cylinder");
     cylinder.only({"from", "to", "radius"});
@@ -262,7 +274,8 @@ Part part_of(const JsonReader& reader, Scene& scene) {
     const double radius = cylinder.at("radius").number();
     if (!(radius > 0)) cylinder.at("radius").fail("must be a number above 0");
     if ((to - from).norm() < 1e-6) cylinder.fail("has no length");
-    if (reader.has("pose")) reader.at("pose").fail("a cylinder takes its pose from 'from' and 'to'");
+    if (reader.has("pose"))
+      reader.at("pose").fail("a cylinder takes its pose from 'from' and 'to'");
     return cylinder_part(name, material, from, to, radius);
   } else if (reader.has("vertices")) {
     part.name = name;
@@ -305,18 +318,20 @@ ClassId class_of(const JsonReader& reader) {
 }
 
 Instance instance_of(const JsonReader& reader, Scene& scene, const std::filesystem::path& folder) {
-  reader.only({"id", "class", "kind", "variant", "parameters", "seed", "pose", "loose", "mass", "parts", "mesh",
-               "scale", "up"});
+  reader.only({"id", "class", "kind", "variant", "parameters", "seed", "pose", "loose", "mass",
+               "parts", "mesh", "scale", "up"});
   Instance instance;
   if (reader.has("parts")) {
     const JsonReader parts = reader.at("parts");
-    for (std::size_t i = 0; i < parts.size(); ++i) instance.parts.push_back(part_of(parts.at(i), scene));
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      instance.parts.push_back(part_of(parts.at(i), scene));
     if (instance.parts.empty()) parts.fail("is empty");
     if (reader.has("kind")) instance.kind = reader.at("kind").text();
     if (reader.has("variant")) instance.variant = reader.at("variant").text();
     if (reader.has("parameters")) {
       const JsonReader parameters = reader.at("parameters");
-      for (const auto& key : parameters.keys()) instance.parameters[key] = parameters.at(key).number();
+      for (const auto& key : parameters.keys())
+        instance.parameters[key] = parameters.at(key).number();
     }
   } else if (reader.has("mesh")) {
     MeshImport import;
@@ -330,7 +345,8 @@ Instance instance_of(const JsonReader& reader, Scene& scene, const std::filesyst
     const JsonReader mesh = reader.at("mesh");
     const std::filesystem::path path = folder / mesh.text();
     if (!std::filesystem::exists(path)) {
-      mesh.fail("there is no mesh file '" + path.string() + "'", "paths count from the scene file's folder");
+      mesh.fail("there is no mesh file '" + path.string() + "'",
+                "paths count from the scene file's folder");
     }
     instance.parts = import_parts(scene, path, import);
     instance.kind = "mesh";
@@ -346,7 +362,8 @@ Instance instance_of(const JsonReader& reader, Scene& scene, const std::filesyst
   if (reader.has("loose")) instance.loose = reader.at("loose").boolean();
   if (reader.has("mass")) {
     instance.mass = reader.at("mass").number();
-    if (!(instance.mass > 0)) reader.at("mass").fail("must be a number above 0, is " + reader.at("mass").raw().dump());
+    if (!(instance.mass > 0))
+      reader.at("mass").fail("must be a number above 0, is " + reader.at("mass").raw().dump());
   }
   return instance;
 }
@@ -375,7 +392,8 @@ void read_ids(const JsonReader& instances, Scene& scene) {
 Scene scene_from(const Json& json, const std::string& file, const std::filesystem::path& folder) {
   const JsonReader reader(json, file);
   if (!json.is_object()) reader.fail("is no scene: an object was expected");
-  reader.only({"format", "name", "family", "seed", "materials", "room", "instances", "sensor_poses", "bounds"});
+  reader.only({"format", "name", "family", "seed", "materials", "room", "instances", "sensor_poses",
+               "bounds"});
   if (reader.has("format") && reader.at("format").text() != format_name) {
     reader.at("format").fail("must be \"" + std::string(format_name) + "\"");
   }
@@ -389,7 +407,8 @@ Scene scene_from(const Json& json, const std::string& file, const std::filesyste
   }
   if (reader.has("materials")) {
     const JsonReader materials = reader.at("materials");
-    for (std::size_t i = 0; i < materials.size(); ++i) scene.materials.push_back(material_of(materials.at(i)));
+    for (std::size_t i = 0; i < materials.size(); ++i)
+      scene.materials.push_back(material_of(materials.at(i)));
   }
   if (reader.has("room")) {
     const JsonReader room = reader.at("room");
@@ -404,7 +423,8 @@ Scene scene_from(const Json& json, const std::string& file, const std::filesyste
   read_ids(instances, scene);
   if (reader.has("sensor_poses")) {
     const JsonReader poses = reader.at("sensor_poses");
-    for (std::size_t i = 0; i < poses.size(); ++i) scene.sensor_poses.push_back(pose_of(poses.at(i)));
+    for (std::size_t i = 0; i < poses.size(); ++i)
+      scene.sensor_poses.push_back(pose_of(poses.at(i)));
   }
   if (reader.has("bounds")) {
     const JsonReader bounds = reader.at("bounds");
@@ -419,7 +439,10 @@ Scene scene_from(const Json& json, const std::string& file, const std::filesyste
 }  // namespace
 
 nlohmann::ordered_json scene_to_json(const Scene& scene) {
-  Json json = {{"format", format_name}, {"name", scene.name}, {"family", scene.family}, {"seed", scene.seed}};
+  Json json = {{"format", format_name},
+               {"name", scene.name},
+               {"family", scene.family},
+               {"seed", scene.seed}};
   json["materials"] = Json::array();
   for (const auto& m : scene.materials) {
     json["materials"].push_back({{"name", m.name},

@@ -9,7 +9,9 @@
 namespace scanchor {
 namespace {
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
 
 /// Twice the area times the normal of a triangle.
 Eigen::Vector3d area_vector(const Part& part, std::size_t t) {
@@ -109,7 +111,8 @@ void measure_faces(Part& part) {
       continue;
     }
     face.normal = sum.normalized();
-    // Axes of the plane: start from the world axis that lies flattest in it, so that boxes give their own axes.
+    // Axes of the plane: start from the world axis that lies flattest in it, so that boxes give
+    // their own axes.
     int flattest = 0;
     for (int k = 1; k < 3; ++k) {
       if (std::abs(face.normal[k]) < std::abs(face.normal[flattest])) flattest = k;
@@ -140,7 +143,8 @@ void find_faces(Part& part, double flat_deg, double distance) {
   for (std::size_t i = 0; i < part.vertices.size(); ++i) {
     const auto& p = part.vertices[i];
     id_of_vertex[i] =
-        ids.emplace(std::array<double, 3>{p.x(), p.y(), p.z()}, static_cast<int>(ids.size())).first->second;
+        ids.emplace(std::array<double, 3>{p.x(), p.y(), p.z()}, static_cast<int>(ids.size()))
+            .first->second;
   }
   std::map<std::pair<int, int>, std::vector<std::size_t>> edges;
   const auto edge_of = [&](std::size_t t, int k) {
@@ -160,11 +164,13 @@ void find_faces(Part& part, double flat_deg, double distance) {
     normal[t] = area[t] > 0 ? Eigen::Vector3d(a / area[t]) : Eigen::Vector3d::Zero();
     order[t] = t;
   }
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return area[a] > area[b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return area[a] > area[b]; });
   const double cos_flat = portable_sincos(radians(flat_deg)).cos;
   part.faces.clear();
   part.triangle_face.assign(count, -1);
-  // Two rounds: planes of more than one triangle (or one that is not part of a smooth neighbourhood), then smooth patches.
+  // Two rounds: planes of more than one triangle (or one that is not part of a smooth
+  // neighbourhood), then smooth patches.
   const auto grow = [&](std::size_t seed, bool planar) {
     const auto face = static_cast<std::int32_t>(part.faces.size());
     const Eigen::Vector3d origin = part.vertices[static_cast<std::size_t>(part.triangles[seed][0])];
@@ -196,8 +202,8 @@ void find_faces(Part& part, double flat_deg, double distance) {
     result.planar = planar;
     part.faces.push_back(result);
   };
-  // A triangle belongs to a curved surface if a neighbour of its kind bends away gently: between `flat_deg` and 30 degrees. A far smaller
-  // neighbour is the rounded edge of a flat top.
+  // A triangle belongs to a curved surface if a neighbour of its kind bends away gently: between
+  // `flat_deg` and 30 degrees. A far smaller neighbour is the rounded edge of a flat top.
   std::vector<bool> bends(count, false);
   for (std::size_t t = 0; t < count; ++t) {
     for (int k = 0; k < 3; ++k) {
@@ -214,7 +220,8 @@ void find_faces(Part& part, double flat_deg, double distance) {
     if (part.triangle_face[t] < 0 && area[t] > 0) grow(t, false);
   }
   for (std::size_t t = 0; t < count; ++t) {
-    if (part.triangle_face[t] < 0) part.triangle_face[t] = 0;  // without area: whoever owns it, no ray sees it
+    if (part.triangle_face[t] < 0)
+      part.triangle_face[t] = 0;  // without area: whoever owns it, no ray sees it
   }
   for (std::size_t f = 0; f < part.faces.size(); ++f) {
     part.faces[f].name = (part.faces[f].planar ? "face " : "curved ") + std::to_string(f + 1);

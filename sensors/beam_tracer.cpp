@@ -20,8 +20,9 @@ struct RayBuffer {
   void trace(const World& world, std::size_t count) {
     triangle.resize(count);
     range.resize(count);
-    world.trace({c[0].data(), c[1].data(), c[2].data(), c[3].data(), c[4].data(), c[5].data(), count},
-                triangle.data(), range.data());
+    world.trace(
+        {c[0].data(), c[1].data(), c[2].data(), c[3].data(), c[4].data(), c[5].data(), count},
+        triangle.data(), range.data());
   }
   void resize(std::size_t count) {
     for (auto& column : c) column.resize(count);
@@ -117,12 +118,18 @@ void BeamTracer::follow(std::vector<Stretch>& stretches, std::vector<BeamSample>
       if (passage >= options_.bounces) continue;
       const Eigen::Vector3d point = s.ray.origin + rays.range[i] * s.ray.direction;
       if (split.through > 0.0) {
-        next.push_back({{point, s.ray.direction}, s.beam, s.weight * split.through, range,
+        next.push_back({{point, s.ray.direction},
+                        s.beam,
+                        s.weight * split.through,
+                        range,
                         static_cast<std::uint8_t>(s.flags | point_behind_glass)});
       }
       if (split.mirrored > 0.0) {
         const Eigen::Vector3d d = s.ray.direction - 2.0 * slope * surface.plane.normal;
-        next.push_back({{point, d}, s.beam, s.weight * split.mirrored, range,
+        next.push_back({{point, d},
+                        s.beam,
+                        s.weight * split.mirrored,
+                        range,
                         static_cast<std::uint8_t>(s.flags | point_ghost)});
       }
     }
@@ -158,7 +165,8 @@ void BeamTracer::refine(int line, const BeamColumns& beams, std::span<const std:
   if (traced.empty()) return;
   std::vector<BeamSample> samples;
   follow(stretches, samples);
-  // By beam, and within a beam in the order in which they were made: the order of sub-rays, then of passages.
+  // By beam, and within a beam in the order in which they were made: the order of sub-rays, then of
+  // passages.
   std::stable_sort(samples.begin(), samples.end(),
                    [](const BeamSample& a, const BeamSample& b) { return a.beam < b.beam; });
   std::size_t next = 0;

@@ -12,7 +12,8 @@
 
 namespace scanchor {
 
-/// Traces the middles of beams, and then what more is needed. Const members may be called from any thread.
+/// Traces the middles of beams, and then what more is needed. Const members may be called from any
+/// thread.
 class BeamTracer {
  public:
   BeamTracer(const World& world, const LidarOptions& options, std::uint64_t seed);
@@ -20,9 +21,9 @@ class BeamTracer {
   /// The middles of a line's beams, in the world frame.
   void trace_middles(const BeamColumns& beams, LineReturns& returns) const;
 
-  /// What footprint, glass and mirrors make of them. `straddles[k]` != 0: an edge may be in the footprint of beam k, so its sub-rays
-  /// are traced; elsewhere they meet the plane that the middle met and are computed. Both give the same bytes wherever the
-  /// footprint does lie on one face.
+  /// What footprint, glass and mirrors make of them. `straddles[k]` != 0: an edge may be in the
+  /// footprint of beam k, so its sub-rays are traced; elsewhere they meet the plane that the middle
+  /// met and are computed. Both give the same bytes wherever the footprint does lie on one face.
   void refine(int line, const BeamColumns& beams, std::span<const std::uint8_t> straddles,
               LineReturns& returns) const;
 

@@ -62,7 +62,8 @@ std::string room_name(const std::string& family, int index) {
   return fmt::format("{}_{}", name, index);
 }
 
-void count_classes(const PointTruth& truth, SequenceCard& card, std::set<std::int32_t>& instances_seen) {
+void count_classes(const PointTruth& truth, SequenceCard& card,
+                   std::set<std::int32_t>& instances_seen) {
   for (std::size_t i = 0; i < truth.size(); ++i) {
     ClassCount& count = card.classes[std::max(0, truth.class_id[i])];
     ++count.points;
@@ -70,7 +71,8 @@ void count_classes(const PointTruth& truth, SequenceCard& card, std::set<std::in
     for (std::size_t bit = 0; bit < card.flagged.size(); ++bit) {
       card.flagged[bit] += truth.flags[i] >> bit & 1;
     }
-    if (truth.instance[i] >= 0 && instances_seen.insert(truth.instance[i]).second) ++count.instances;
+    if (truth.instance[i] >= 0 && instances_seen.insert(truth.instance[i]).second)
+      ++count.instances;
   }
 }
 
@@ -84,10 +86,13 @@ class Generator {
     std::vector<const SceneTask*> missing;
     for (const auto& task : tasks_) {
       if (!options_.shard.has(task.index)) continue;
-      if (complete_card(task)) ++result_.scenes_found;
-      else missing.push_back(&task);
+      if (complete_card(task))
+        ++result_.scenes_found;
+      else
+        missing.push_back(&task);
     }
-    total_ = (missing.size() + static_cast<std::size_t>(result_.scenes_found)) * static_cast<std::size_t>(suite_.scans);
+    total_ = (missing.size() + static_cast<std::size_t>(result_.scenes_found)) *
+             static_cast<std::size_t>(suite_.scans);
     done_ = static_cast<std::size_t>(result_.scenes_found) * static_cast<std::size_t>(suite_.scans);
     if (options_.progress) options_.progress(done_, total_);
     {
@@ -111,11 +116,13 @@ class Generator {
     const fs::path path = root_ / "suite.json";
     if (!fs::exists(path)) {
       if (fs::exists(root_ / "sequences")) {
-        fail_data(root_.string(), "", "holds a data set without suite.json", "choose another folder");
+        fail_data(root_.string(), "", "holds a data set without suite.json",
+                  "choose another folder");
       }
       write_file(path, card);
     } else if (read_file(path) != card) {
-      fail_data(root_.string(), "", "holds another data set: its suite.json has other options, formats or version",
+      fail_data(root_.string(), "",
+                "holds another data set: its suite.json has other options, formats or version",
                 "choose another folder or remove it");
     }
   }
@@ -124,7 +131,8 @@ class Generator {
     return root_ / "sequences" / task.name / "sequence.json";
   }
 
-  /// The card of a sequence whose files are all there with their sizes; nothing if the work is still to be done.
+  /// The card of a sequence whose files are all there with their sizes; nothing if the work is
+  /// still to be done.
   [[nodiscard]] std::optional<SequenceCard> complete_card(const SceneTask& task) const {
     std::error_code error;
     if (!fs::exists(card_path(task), error)) return std::nullopt;
@@ -168,7 +176,8 @@ class Generator {
       for (int k = 0; k < suite_.scans; ++k) {
         if (stopped()) return;
         const std::uint64_t seed = stream_seed(task.seed, "scan", static_cast<std::uint64_t>(k));
-        const auto& pose = scene.sensor_poses[static_cast<std::size_t>(k) % scene.sensor_poses.size()];
+        const auto& pose =
+            scene.sensor_poses[static_cast<std::size_t>(k) % scene.sensor_poses.size()];
         scan_room_into(world, pose, task.lidar, seed, scan);
         write_scan(writer, folder, k, scan);
         count_classes(scan.truth, card, instances_seen);
@@ -184,12 +193,16 @@ class Generator {
     writer.write(folder + "poses.txt", poses_text(poses));
     writer.write(folder + "calib.txt", calib_text());
     writer.write(folder + "times.txt", times_text(poses.size(), task.lidar));
-    writer.write_with(folder + "scene.json", [&](const fs::path& path) { write_scene(path, scene); });
+    writer.write_with(folder + "scene.json",
+                      [&](const fs::path& path) { write_scene(path, scene); });
     writer.write(folder + "faces.json", faces_json(scene, visibility));
     writer.write(folder + "relations.json", relations_json(scene));
     if (options_.formats.s3dis) {
-      const char* area = task.split == "train" ? "Area_1/" : task.split == "valid" ? "Area_2/" : "Area_5/";
-      for (const auto& [name, text] : s3dis_files(scene, kept, room_name(task.room.family, task.index))) {
+      const char* area = task.split == "train"   ? "Area_1/"
+                         : task.split == "valid" ? "Area_2/"
+                                                 : "Area_5/";
+      for (const auto& [name, text] :
+           s3dis_files(scene, kept, room_name(task.room.family, task.index))) {
         writer.write(area + name, text);
       }
     }
@@ -198,7 +211,8 @@ class Generator {
     ++result_.scenes_written;
   }
 
-  void write_scan(SequenceWriter& writer, const std::string& folder, int k, const Scan& scan) const {
+  void write_scan(SequenceWriter& writer, const std::string& folder, int k,
+                  const Scan& scan) const {
     const std::string number = fmt::format("{:06}", k);
     writer.write(folder + "velodyne/" + number + ".bin", format_kitti(scan.cloud));
     const std::string labels = folder + "labels/" + number + ".label";
@@ -206,7 +220,8 @@ class Generator {
     if (options_.formats.truth) writer.write(folder + "truth/" + number + ".npy", truth_npy(scan));
     if (!options_.formats.pcd && !options_.formats.ply) return;
     PointCloud cloud = cloud_with_truth(scan);
-    for (auto& p : cloud.points) p = p.cast<float>().cast<double>();  // the same positions as in the .bin
+    for (auto& p : cloud.points)
+      p = p.cast<float>().cast<double>();  // the same positions as in the .bin
     cloud.sensor_poses = {Eigen::Isometry3d::Identity()};
     const auto write = [&](const char* kind) {
       writer.write_with(fmt::format("{}{}/{}.{}", folder, kind, number, kind),
@@ -231,7 +246,8 @@ class Generator {
       auto card = complete_card(task);
       if (!card) continue;
       if (options_.shard.has(task.index)) {
-        for (const auto& problem : card->problems) result_.problems.push_back(fmt::format("scene {}: {}", task.name, problem));
+        for (const auto& problem : card->problems)
+          result_.problems.push_back(fmt::format("scene {}: {}", task.name, problem));
       }
       cards.push_back(*std::move(card));
     }
@@ -250,7 +266,8 @@ class Generator {
 
 }  // namespace
 
-DatasetResult generate_dataset(const Suite& suite, const fs::path& out, const DatasetOptions& options) {
+DatasetResult generate_dataset(const Suite& suite, const fs::path& out,
+                               const DatasetOptions& options) {
   return Generator(suite, out, options).run();
 }
 

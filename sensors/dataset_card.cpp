@@ -15,13 +15,18 @@ namespace {
 
 constexpr const char* flag_names[] = {"mixed", "ghost", "behind_glass", "out_of_range"};
 
-Json file_json(const FileRecord& record) { return {{"bytes", record.bytes}, {"sha256", record.sha256}}; }
+Json file_json(const FileRecord& record) {
+  return {{"bytes", record.bytes}, {"sha256", record.sha256}};
+}
 
 Json classes_json(const std::map<std::int32_t, ClassCount>& classes) {
   Json list = Json::array();
   for (const auto& [id, count] : classes) {
-    list.push_back({{"id", id}, {"name", class_info(id).name}, {"points", count.points},
-                    {"instances", count.instances}, {"scenes", count.scenes}});
+    list.push_back({{"id", id},
+                    {"name", class_info(id).name},
+                    {"points", count.points},
+                    {"instances", count.instances},
+                    {"scenes", count.scenes}});
   }
   return list;
 }
@@ -46,7 +51,8 @@ SequenceCard total_of(const std::vector<SequenceCard>& cards) {
       sum.scenes += count.scenes;
     }
     for (std::size_t k = 0; k < card.flagged.size(); ++k) total.flagged[k] += card.flagged[k];
-    total.scan_points.insert(total.scan_points.end(), card.scan_points.begin(), card.scan_points.end());
+    total.scan_points.insert(total.scan_points.end(), card.scan_points.begin(),
+                             card.scan_points.end());
     total.files.insert(card.files.begin(), card.files.end());
   }
   return total;
@@ -63,15 +69,24 @@ std::uint64_t sum(const std::vector<std::uint64_t>& values) {
 void write_sequence_card(const std::filesystem::path& path, const SequenceCard& card) {
   Json scans = Json::array();
   for (std::size_t k = 0; k < card.scan_seeds.size(); ++k) {
-    scans.push_back({{"seed", card.scan_seeds[k]}, {"points", card.scan_points[k]}, {"beams", card.scan_beams[k]}});
+    scans.push_back({{"seed", card.scan_seeds[k]},
+                     {"points", card.scan_points[k]},
+                     {"beams", card.scan_beams[k]}});
   }
   Json flagged = Json::object();
   for (std::size_t k = 0; k < card.flagged.size(); ++k) flagged[flag_names[k]] = card.flagged[k];
   Json files = Json::object();
   for (const auto& [name, record] : card.files) files[name] = file_json(record);
-  write_json(path, {{"name", card.name}, {"split", card.split}, {"family", card.family}, {"seed", card.seed},
-                    {"settled", card.settled}, {"problems", card.problems}, {"scans", scans},
-                    {"classes", classes_json(card.classes)}, {"flagged_points", flagged}, {"files", files}});
+  write_json(path, {{"name", card.name},
+                    {"split", card.split},
+                    {"family", card.family},
+                    {"seed", card.seed},
+                    {"settled", card.settled},
+                    {"problems", card.problems},
+                    {"scans", scans},
+                    {"classes", classes_json(card.classes)},
+                    {"flagged_points", flagged},
+                    {"files", files}});
 }
 
 SequenceCard read_sequence_card(const std::filesystem::path& path) {
@@ -95,7 +110,8 @@ SequenceCard read_sequence_card(const std::filesystem::path& path) {
   for (std::size_t i = 0; i < classes.size(); ++i) {
     const JsonReader entry = classes.at(i);
     card.classes[static_cast<std::int32_t>(entry.at("id").integer())] = {
-        entry.at("points").natural(), entry.at("instances").natural(), entry.at("scenes").natural()};
+        entry.at("points").natural(), entry.at("instances").natural(),
+        entry.at("scenes").natural()};
   }
   for (std::size_t k = 0; k < card.flagged.size(); ++k) {
     card.flagged[k] = reader.at("flagged_points").at(flag_names[k]).natural();
@@ -108,7 +124,9 @@ SequenceCard read_sequence_card(const std::filesystem::path& path) {
 }
 
 std::string suite_card(const Suite& suite, const DatasetFormats& formats) {
-  Json json = {{"format", "scanchor data set 1"}, {"version", scanchor_version}, {"formats", formats_json(formats)},
+  Json json = {{"format", "scanchor data set 1"},
+               {"version", scanchor_version},
+               {"formats", formats_json(formats)},
                {"suite", suite_to_json(suite)}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -118,17 +136,21 @@ std::string label_map_yaml(const std::vector<SequenceCard>& cards, const std::st
   std::string title = name;  // stands in a comment: one line
   for (char& c : title) c = static_cast<unsigned char>(c) < ' ' ? ' ' : c;
   const double points = std::max<double>(1.0, static_cast<double>(sum(total.scan_points)));
-  std::string yaml = fmt::format("# Label map of the data set \"{}\", as semantic-kitti-api reads it. Colours are B, G, R.\n"
-                                 "name: \"scanchor\"\nlabels:\n", title);
+  std::string yaml = fmt::format(
+      "# Label map of the data set \"{}\", as semantic-kitti-api reads it. Colours are B, G, R.\n"
+      "name: \"scanchor\"\nlabels:\n",
+      title);
   for (const auto& info : class_list()) yaml += fmt::format("  {}: \"{}\"\n", info.id, info.name);
   yaml += "color_map:\n";
   for (const auto& info : class_list()) {
-    yaml += fmt::format("  {}: [{}, {}, {}]\n", info.id, info.color[2], info.color[1], info.color[0]);
+    yaml +=
+        fmt::format("  {}: [{}, {}, {}]\n", info.id, info.color[2], info.color[1], info.color[0]);
   }
   yaml += "content:\n";
   for (const auto& info : class_list()) {
     const auto found = total.classes.find(info.id);
-    const double count = found == total.classes.end() ? 0.0 : static_cast<double>(found->second.points);
+    const double count =
+        found == total.classes.end() ? 0.0 : static_cast<double>(found->second.points);
     yaml += fmt::format("  {}: {}\n", info.id, count / points);
   }
   for (const char* map : {"learning_map", "learning_map_inv"}) {
@@ -136,28 +158,31 @@ std::string label_map_yaml(const std::vector<SequenceCard>& cards, const std::st
     for (const auto& info : class_list()) yaml += fmt::format("  {}: {}\n", info.id, info.id);
   }
   yaml += "learning_ignore:\n";
-  for (const auto& info : class_list()) yaml += fmt::format("  {}: {}\n", info.id, info.id == unlabelled ? "True" : "False");
+  for (const auto& info : class_list())
+    yaml += fmt::format("  {}: {}\n", info.id, info.id == unlabelled ? "True" : "False");
   yaml += "split:\n";
   for (const char* split : {"train", "valid", "test"}) {
     std::string list;
     for (const auto& card : cards) {
       // A number without leading zeros: YAML 1.1 would read 010 as eight.
-      if (card.split == split) list += fmt::format("{}{}", list.empty() ? "" : ", ", std::stoul(card.name));
+      if (card.split == split)
+        list += fmt::format("{}{}", list.empty() ? "" : ", ", std::stoul(card.name));
     }
     yaml += fmt::format("  {}: [{}]\n", split, list);
   }
   return yaml;
 }
 
-void write_dataset_card(const std::filesystem::path& root, const Suite& suite, const DatasetFormats& formats,
-                        const std::vector<SequenceCard>& cards) {
+void write_dataset_card(const std::filesystem::path& root, const Suite& suite,
+                        const DatasetFormats& formats, const std::vector<SequenceCard>& cards) {
   const std::string map = label_map_yaml(cards, suite.name);
   write_file(root / "label_map.yaml", map);
   SequenceCard total = total_of(cards);
   const std::string suite_text = suite_card(suite, formats);
   total.files["label_map.yaml"] = {map.size(), sha256(map)};
   total.files["suite.json"] = {suite_text.size(), sha256(suite_text)};
-  Json splits = Json::object(), families = Json::object(), files = Json::object(), flagged = Json::object();
+  Json splits = Json::object(), families = Json::object(), files = Json::object(),
+       flagged = Json::object();
   for (const char* split : {"train", "valid", "test"}) splits[split] = Json::array();
   Json problems = Json::array();
   for (const auto& card : cards) {
@@ -168,13 +193,20 @@ void write_dataset_card(const std::filesystem::path& root, const Suite& suite, c
   for (std::size_t k = 0; k < total.flagged.size(); ++k) flagged[flag_names[k]] = total.flagged[k];
   for (const auto& [name, record] : total.files) files[name] = file_json(record);
   Json json = Json::parse(suite_text);
-  json.update({{"scenes", cards.size()}, {"scans", total.scan_points.size()}, {"points", sum(total.scan_points)},
-               {"split", splits}, {"families", families}, {"scenes_not_at_rest", problems},
-               {"classes", classes_json(total.classes)}, {"flagged_points", flagged}, {"files", files}});
+  json.update({{"scenes", cards.size()},
+               {"scans", total.scan_points.size()},
+               {"points", sum(total.scan_points)},
+               {"split", splits},
+               {"families", families},
+               {"scenes_not_at_rest", problems},
+               {"classes", classes_json(total.classes)},
+               {"flagged_points", flagged},
+               {"files", files}});
   write_json(root / "dataset.json", json);
 }
 
-std::string faces_json(const Scene& scene, const std::vector<std::vector<FaceVisibility>>& visibility) {
+std::string faces_json(const Scene& scene,
+                       const std::vector<std::vector<FaceVisibility>>& visibility) {
   const std::vector<FaceAddress> faces = all_faces(scene);
   std::vector<Json> seen(faces.size(), Json::array());
   for (std::size_t scan = 0; scan < visibility.size(); ++scan) {
@@ -189,11 +221,18 @@ std::string faces_json(const Scene& scene, const std::vector<std::vector<FaceVis
     const Instance& instance = scene.instances[static_cast<std::size_t>(faces[i].instance)];
     const Part& part = instance.parts[static_cast<std::size_t>(faces[i].part)];
     const Face& face = part.faces[static_cast<std::size_t>(faces[i].face)];
-    Json json = {{"face", i}, {"instance", instance.id}, {"class", class_info(instance.class_id).name},
-                 {"part", faces[i].part}, {"part_name", part.name}, {"name", face.name}, {"planar", face.planar}};
+    Json json = {{"face", i},
+                 {"instance", instance.id},
+                 {"class", class_info(instance.class_id).name},
+                 {"part", faces[i].part},
+                 {"part_name", part.name},
+                 {"name", face.name},
+                 {"planar", face.planar}};
     if (face.planar) {
       const WorldFace world = world_face(scene, faces[i]);
-      json.update({{"center", to_json(world.center)}, {"normal", to_json(world.normal)}, {"axis", to_json(world.axis)},
+      json.update({{"center", to_json(world.center)},
+                   {"normal", to_json(world.normal)},
+                   {"axis", to_json(world.axis)},
                    {"size", to_json(world.size)}});
     }
     json["area"] = face.area;
@@ -202,7 +241,8 @@ std::string faces_json(const Scene& scene, const std::vector<std::vector<FaceVis
   }
   // One face a line: thousands of them stay readable.
   std::string text = "{\"faces\": [\n";
-  for (std::size_t i = 0; i < list.size(); ++i) text += list[i].dump() + (i + 1 < list.size() ? ",\n" : "\n");
+  for (std::size_t i = 0; i < list.size(); ++i)
+    text += list[i].dump() + (i + 1 < list.size() ? ",\n" : "\n");
   return text + "]}\n";
 }
 
@@ -221,7 +261,8 @@ std::string relations_json(const Scene& scene) {
   return text + "\n]}\n";
 }
 
-std::vector<FaceVisibility> read_face_visibility(const std::filesystem::path& path, std::size_t scan) {
+std::vector<FaceVisibility> read_face_visibility(const std::filesystem::path& path,
+                                                 std::size_t scan) {
   const Json json = read_json(path);
   const JsonReader faces = JsonReader(json, path.string()).at("faces");
   std::vector<FaceVisibility> result;

@@ -26,7 +26,8 @@ std::string row_major_3x4(const Eigen::Isometry3d& T) {
   std::string line;
   for (int r = 0; r < 3; ++r) {
     // Adding 0 turns the -0 of the permutation into 0.
-    for (int c = 0; c < 4; ++c) line += fmt::format("{}{}", line.empty() ? "" : " ", T.matrix()(r, c) + 0.0);
+    for (int c = 0; c < 4; ++c)
+      line += fmt::format("{}{}", line.empty() ? "" : " ", T.matrix()(r, c) + 0.0);
   }
   return line;
 }
@@ -70,8 +71,10 @@ constexpr std::uint16_t none16 = 65535;
 /// Everything before the records, padded to a multiple of 64 bytes as numpy wants it.
 std::string npy_header(std::size_t count) {
   std::string dict = fmt::format(
-      "{{'descr': [('face', '<i4'), ('part', '<i2'), ('runner_up', '<i4'), ('flags', '|u1'), ('line', '<u2'), "
-      "('beam', '<u2'), ('true_range', '<f4'), ('incidence', '<f4')], 'fortran_order': False, 'shape': ({},), }}",
+      "{{'descr': [('face', '<i4'), ('part', '<i2'), ('runner_up', '<i4'), ('flags', '|u1'), "
+      "('line', '<u2'), "
+      "('beam', '<u2'), ('true_range', '<f4'), ('incidence', '<f4')], 'fortran_order': False, "
+      "'shape': ({},), }}",
       count);
   while ((10 + dict.size() + 1) % 64 != 0) dict += ' ';
   dict += '\n';
@@ -84,12 +87,17 @@ std::string npy_header(std::size_t count) {
 }
 
 std::uint16_t small_index(const std::vector<std::int32_t>& column, std::size_t i) {
-  return i < column.size() && column[i] >= 0 && column[i] < none16 ? static_cast<std::uint16_t>(column[i]) : none16;
+  return i < column.size() && column[i] >= 0 && column[i] < none16
+             ? static_cast<std::uint16_t>(column[i])
+             : none16;
 }
 
-std::array<std::uint8_t, 3> color_of(const Scene& scene, std::int32_t instance_id, std::int32_t part) {
+std::array<std::uint8_t, 3> color_of(const Scene& scene, std::int32_t instance_id,
+                                     std::int32_t part) {
   for (const auto& instance : scene.instances) {
-    if (instance.id != instance_id || part < 0 || static_cast<std::size_t>(part) >= instance.parts.size()) continue;
+    if (instance.id != instance_id || part < 0 ||
+        static_cast<std::size_t>(part) >= instance.parts.size())
+      continue;
     const int material = instance.parts[static_cast<std::size_t>(part)].material;
     if (material >= 0 && static_cast<std::size_t>(material) < scene.materials.size()) {
       return scene.materials[static_cast<std::size_t>(material)].color;
@@ -105,7 +113,8 @@ std::string label_bytes(const PointTruth& truth, const std::string& file) {
   char* out = bytes.data();
   for (std::size_t i = 0; i < truth.size(); ++i) {
     if (truth.class_id[i] > 65535 || truth.instance[i] > 65535) {
-      fail_data(file, fmt::format("point {}", i), "class or instance does not fit the 16 bits of a .label file");
+      fail_data(file, fmt::format("point {}", i),
+                "class or instance does not fit the 16 bits of a .label file");
     }
     const auto label = static_cast<std::uint32_t>(std::max(0, truth.class_id[i]));
     const auto instance = static_cast<std::uint32_t>(std::max(0, truth.instance[i]));
@@ -137,10 +146,13 @@ void read_truth_npy(std::string_view bytes, Scan& scan, const std::string& file)
   const std::size_t count = scan.truth.size();
   const std::string header = npy_header(count);
   if (!bytes.starts_with(header)) {
-    fail_data(file, "header", fmt::format("is no truth of {} points", count), "see docs/reference/dataset-layout.md");
+    fail_data(file, "header", fmt::format("is no truth of {} points", count),
+              "see docs/reference/dataset-layout.md");
   }
   if (bytes.size() != header.size() + count * truth_record) {
-    fail_data(file, "", fmt::format("expected {} bytes, found {}", header.size() + count * truth_record, bytes.size()),
+    fail_data(file, "",
+              fmt::format("expected {} bytes, found {}", header.size() + count * truth_record,
+                          bytes.size()),
               "the file is truncated");
   }
   scan.line.resize(count);
@@ -173,7 +185,8 @@ std::string calib_text() {
   return text + "Tr: " + row_major_3x4(camera_from_sensor()) + "\n";
 }
 
-std::vector<Eigen::Isometry3d> parse_poses(std::string_view poses, std::string_view calib, const std::string& poses_file,
+std::vector<Eigen::Isometry3d> parse_poses(std::string_view poses, std::string_view calib,
+                                           const std::string& poses_file,
                                            const std::string& calib_file) {
   Eigen::Isometry3d Tr = camera_from_sensor();
   const auto each_line = [](std::string_view text, auto&& take) {
@@ -195,12 +208,15 @@ std::vector<Eigen::Isometry3d> parse_poses(std::string_view poses, std::string_v
   std::vector<Eigen::Isometry3d> result;
   each_line(poses, [&](std::string_view line, std::size_t number) {
     Eigen::Isometry3d pose;
-    if (!parse_3x4(line, pose)) fail_data(poses_file, fmt::format("line {}", number), "a pose is not 12 numbers");
-    // Calibrations in text are orthonormal only to their digits, so the transpose is not quite the inverse.
+    if (!parse_3x4(line, pose))
+      fail_data(poses_file, fmt::format("line {}", number), "a pose is not 12 numbers");
+    // Calibrations in text are orthonormal only to their digits, so the transpose is not quite the
+    // inverse.
     const Eigen::Matrix3d back = Tr.linear().inverse();
     Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
     T.linear() = back * (pose.linear() * Tr.linear());
-    T.translation() = back * (pose.linear() * Tr.translation() + pose.translation() - Tr.translation());
+    T.translation() =
+        back * (pose.linear() * Tr.translation() + pose.translation() - Tr.translation());
     result.push_back(T);
   });
   return result;
@@ -214,9 +230,11 @@ std::string times_text(std::size_t scans, const LidarOptions& lidar) {
   return text;
 }
 
-std::vector<std::pair<std::string, std::string>> s3dis_files(const Scene& scene, const std::vector<Scan>& scans,
+std::vector<std::pair<std::string, std::string>> s3dis_files(const Scene& scene,
+                                                             const std::vector<Scan>& scans,
                                                              const std::string& room) {
-  // One annotation an instance, numbered within its S3DIS class in the order of the scene; 0: points of no instance.
+  // One annotation an instance, numbered within its S3DIS class in the order of the scene; 0:
+  // points of no instance.
   std::map<std::int32_t, std::string> names = {{0, "clutter_0"}};
   std::map<std::string_view, int> numbers;
   for (const auto& instance : scene.instances) {
@@ -228,13 +246,16 @@ std::vector<std::pair<std::string, std::string>> s3dis_files(const Scene& scene,
   for (const auto& scan : scans) {
     std::map<std::pair<std::int32_t, std::int32_t>, std::array<std::uint8_t, 3>> colors;
     for (std::size_t i = 0; i < scan.truth.size(); ++i) {
-      const std::int32_t instance = names.contains(scan.truth.instance[i]) ? scan.truth.instance[i] : 0;
+      const std::int32_t instance =
+          names.contains(scan.truth.instance[i]) ? scan.truth.instance[i] : 0;
       const auto key = std::pair(instance, scan.truth.part[i]);
       auto color = colors.find(key);
-      if (color == colors.end()) color = colors.emplace(key, color_of(scene, key.first, key.second)).first;
+      if (color == colors.end())
+        color = colors.emplace(key, color_of(scene, key.first, key.second)).first;
       const Eigen::Vector3d p = scan.T_world_sensor * scan.cloud.points[i];
       const auto& [r, g, b] = color->second;
-      const std::string line = fmt::format("{:.3f} {:.3f} {:.3f} {} {} {}\n", p.x(), p.y(), p.z(), r, g, b);
+      const std::string line =
+          fmt::format("{:.3f} {:.3f} {:.3f} {} {} {}\n", p.x(), p.y(), p.z(), r, g, b);
       all += line;
       parts[instance] += line;
     }
@@ -242,7 +263,8 @@ std::vector<std::pair<std::string, std::string>> s3dis_files(const Scene& scene,
   std::vector<std::pair<std::string, std::string>> files;
   files.emplace_back(fmt::format("{}/{}.txt", room, room), std::move(all));
   for (auto& [instance, text] : parts) {
-    files.emplace_back(fmt::format("{}/Annotations/{}.txt", room, names[instance]), std::move(text));
+    files.emplace_back(fmt::format("{}/Annotations/{}.txt", room, names[instance]),
+                       std::move(text));
   }
   return files;
 }

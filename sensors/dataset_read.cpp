@@ -46,7 +46,8 @@ void read_labels(const DatasetSequence& sequence, const std::string& name, Scan&
     scan.truth.class_id[i] = label[i];
     scan.truth.instance[i] = instance[i] == 0 ? -1 : instance[i];
   }
-  std::erase_if(scan.cloud.fields, [](const Field& f) { return f.name == "label" || f.name == "instance"; });
+  std::erase_if(scan.cloud.fields,
+                [](const Field& f) { return f.name == "label" || f.name == "instance"; });
 }
 
 void read_pose(const DatasetSequence& sequence, std::size_t index, Scan& scan) {
@@ -54,9 +55,11 @@ void read_pose(const DatasetSequence& sequence, std::size_t index, Scan& scan) {
   const fs::path calib_path = sequence.folder / "calib.txt";
   const std::string poses = read_if_there(poses_path);
   if (poses.empty()) return;
-  const auto list = parse_poses(poses, read_if_there(calib_path), poses_path.string(), calib_path.string());
+  const auto list =
+      parse_poses(poses, read_if_there(calib_path), poses_path.string(), calib_path.string());
   if (index >= list.size()) {
-    fail_data(poses_path.string(), "", fmt::format("has {} poses, scan {} needs more", list.size(), index));
+    fail_data(poses_path.string(), "",
+              fmt::format("has {} poses, scan {} needs more", list.size(), index));
   }
   scan.T_world_sensor = list[index];
 }
@@ -95,11 +98,14 @@ Dataset read_dataset(const fs::path& root) {
   return dataset;
 }
 
-Scene read_dataset_scene(const DatasetSequence& sequence) { return read_scene(sequence.folder / "scene.json"); }
+Scene read_dataset_scene(const DatasetSequence& sequence) {
+  return read_scene(sequence.folder / "scene.json");
+}
 
 Scan read_dataset_scan(const DatasetSequence& sequence, std::size_t index) {
   if (index >= sequence.scans.size()) {
-    fail_data(sequence.folder.string(), "", fmt::format("has {} scans, no scan {}", sequence.scans.size(), index));
+    fail_data(sequence.folder.string(), "",
+              fmt::format("has {} scans, no scan {}", sequence.scans.size(), index));
   }
   const std::string& name = sequence.scans[index];
   Scan scan;
@@ -143,7 +149,8 @@ std::vector<std::string> verify_dataset(const fs::path& root) {
   for (const auto& entry : fs::recursive_directory_iterator(root, error)) {
     if (!entry.is_regular_file(error)) continue;
     const std::string name = fs::relative(entry.path(), root, error).generic_string();
-    if (!known.contains(name) && !name.ends_with("/sequence.json")) strange.push_back(name + ": is not in the data-set card");
+    if (!known.contains(name) && !name.ends_with("/sequence.json"))
+      strange.push_back(name + ": is not in the data-set card");
   }
   std::sort(strange.begin(), strange.end());
   problems.insert(problems.end(), strange.begin(), strange.end());

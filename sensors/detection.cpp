@@ -9,8 +9,7 @@ namespace scanchor {
 
 double detection_margin(const LidarOptions& options, double range, double reflected) {
   const double ratio = options.detection_range / range;
-  const double power =
-      std::max(reflected, 1e-12) / options.detection_reflectance * ratio * ratio;
+  const double power = std::max(reflected, 1e-12) / options.detection_reflectance * ratio * ratio;
   constexpr double ln10 = 2.302585092994045684;
   return 10.0 * portable_log(power) / ln10;
 }

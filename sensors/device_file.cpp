@@ -37,7 +37,8 @@ LidarOptions read_lidar_options(const std::filesystem::path& path) {
     fail_data(file, place(error.mark), error.msg);
   }
   if (!root.IsMap()) {
-    fail_data(file, "line 1", "no map of option names to values", "write lines like 'range_sigma: 0.01'");
+    fail_data(file, "line 1", "no map of option names to values",
+              "write lines like 'range_sigma: 0.01'");
   }
   LidarOptions options;
   try {

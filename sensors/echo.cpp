@@ -106,8 +106,10 @@ Echo phase(const LidarOptions& options, std::span<const Sample> samples) {
   if (angle < 0.0) angle += 2.0 * pi;
   echo.range = angle / per_metre;
   label(options, samples, echo);
-  // The amplitude of the sum, over the range where the light was: surfaces out of step weaken each other.
-  echo.reflected = std::sqrt(real * real + imaginary * imaginary) * echo.true_range * echo.true_range;
+  // The amplitude of the sum, over the range where the light was: surfaces out of step weaken each
+  // other.
+  echo.reflected =
+      std::sqrt(real * real + imaginary * imaginary) * echo.true_range * echo.true_range;
   return echo;
 }
 

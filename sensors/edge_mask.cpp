@@ -50,7 +50,8 @@ class Grid {
     } else if (tilting_) {
       const double beta = std::asin(std::clamp(p.y() / range, -1.0, 1.0));
       const double phi = std::atan2(p.z(), p.x());
-      // The same direction once more, over the pole: opening angles above 180 degrees look backwards.
+      // The same direction once more, over the pole: opening angles above 180 degrees look
+      // backwards.
       mark_angles(beta, phi, angle);
       mark_angles(beta > 0 ? pi - beta : -pi - beta, phi > 0 ? phi - pi : phi + pi, angle);
     } else {
@@ -75,8 +76,8 @@ class Grid {
     const double narrow = cosine > angle / pi ? angle / cosine : 1e6;
     const double width = (tilting_ ? angle : narrow) / beam_step_;
     const double height = (tilting_ ? narrow : angle) / line_step_;
-    mark_cells(down(line - height - skew_lines_), up(line + height + skew_lines_), down(beam - width),
-               up(beam + width));
+    mark_cells(down(line - height - skew_lines_), up(line + height + skew_lines_),
+               down(beam - width), up(beam + width));
   }
 
   void mark_cells(int line_low, int line_high, int beam_low, int beam_high) {
@@ -86,8 +87,9 @@ class Grid {
     beam_high = std::min(beam_high, o_.beams_per_line - 1);
     for (int n = line_low; n <= line_high; ++n) {
       for (int k = beam_low; k <= beam_high; ++k) {
-        const auto cell = static_cast<std::size_t>(n) * static_cast<std::size_t>(o_.beams_per_line) +
-                          static_cast<std::size_t>(k);
+        const auto cell =
+            static_cast<std::size_t>(n) * static_cast<std::size_t>(o_.beams_per_line) +
+            static_cast<std::size_t>(k);
         std::atomic_ref(mask_[cell]).store(1, std::memory_order_relaxed);
       }
     }
@@ -147,16 +149,19 @@ class Grid {
 
 }  // namespace
 
-std::vector<std::uint8_t> straddling_beams(const World& world, const Eigen::Isometry3d& T_world_sensor,
-                                           const LidarOptions& options, const Kinematics& kinematics,
-                                           double reach, std::span<const LineReturns> lines) {
+std::vector<std::uint8_t> straddling_beams(const World& world,
+                                           const Eigen::Isometry3d& T_world_sensor,
+                                           const LidarOptions& options,
+                                           const Kinematics& kinematics, double reach,
+                                           std::span<const LineReturns> lines) {
   const auto beams = static_cast<std::size_t>(options.beams_per_line);
   if (options.subrays_everywhere || kinematics.moves()) {
     return std::vector<std::uint8_t>(lines.size() * beams, 1);
   }
   std::vector<std::uint8_t> mask(lines.size() * beams, 0);
   Grid grid(options, kinematics, mask);
-  // Beams start up to this far from the sensor's origin, and point up to this far from where a perfect mount would.
+  // Beams start up to this far from the sensor's origin, and point up to this far from where a
+  // perfect mount would.
   const Eigen::Vector3d off = kinematics.mount_offset();
   const double parallax = off.norm();
   const double turned = kinematics.mount_turn();
@@ -170,12 +175,14 @@ std::vector<std::uint8_t> straddling_beams(const World& world, const Eigen::Isom
       const double length = (to - from).norm();
       double s = 0.0;
       while (true) {
-        const Eigen::Vector3d p = length > 0.0 ? Eigen::Vector3d(from + (s / length) * (to - from)) : from;
+        const Eigen::Vector3d p =
+            length > 0.0 ? Eigen::Vector3d(from + (s / length) * (to - from)) : from;
         const double range = std::max(p.norm(), 1e-6);
-        const double radius =
-            reach * 0.5 * (options.divergence + options.aperture / range) + parallax / range + turned;
+        const double radius = reach * 0.5 * (options.divergence + options.aperture / range) +
+                              parallax / range + turned;
         const double step = std::max(half_step, 0.5 * radius);
-        // 1.5: the arc of the step is longer than half its chord says when the range changes along it.
+        // 1.5: the arc of the step is longer than half its chord says when the range changes along
+        // it.
         grid.mark(p, radius + 1.5 * step);
         if (s >= length) break;
         s = std::min(length, s + std::max(step * range, 1e-4));
@@ -193,7 +200,8 @@ std::vector<std::uint8_t> straddling_beams(const World& world, const Eigen::Isom
   };
   const auto around = [&](std::size_t n, std::size_t k) {
     const double r = std::max(range(n, k), 1e-3);
-    const double radius = reach * 0.5 * (options.divergence + options.aperture / r) + 2.0 * half_step;
+    const double radius =
+        reach * 0.5 * (options.divergence + options.aperture / r) + 2.0 * half_step;
     const int line = static_cast<int>(n), beam = static_cast<int>(k);
     grid.mark_near(line, beam, radius + 2.0 * half_step);
     grid.mark_cells(line - 1, line + 1, beam - 1, beam + 1);

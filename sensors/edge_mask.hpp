@@ -11,14 +11,19 @@
 
 namespace scanchor {
 
-/// One byte a beam, lines x beams_per_line, 1 where the footprint may straddle two surfaces. Errs on the side of 1:
-/// * the outlines of all faces are drawn into the grid of beams, hidden ones too, as wide as the footprint reaches;
-/// * where neighbouring middles met different faces (bodies that go through each other have a crease without an outline), both and
+/// One byte a beam, lines x beams_per_line, 1 where the footprint may straddle two surfaces. Errs
+/// on the side of 1:
+/// * the outlines of all faces are drawn into the grid of beams, hidden ones too, as wide as the
+/// footprint reaches;
+/// * where neighbouring middles met different faces (bodies that go through each other have a
+/// crease without an outline), both and
 ///   all beams within reach are marked.
 /// A moving robot has no common viewpoint: then all beams are marked.
 /// `reach` [half diameters] of the farthest sub-ray. `lines` are the middles as traced.
-std::vector<std::uint8_t> straddling_beams(const World& world, const Eigen::Isometry3d& T_world_sensor,
-                                           const LidarOptions& options, const Kinematics& kinematics,
-                                           double reach, std::span<const LineReturns> lines);
+std::vector<std::uint8_t> straddling_beams(const World& world,
+                                           const Eigen::Isometry3d& T_world_sensor,
+                                           const LidarOptions& options,
+                                           const Kinematics& kinematics, double reach,
+                                           std::span<const LineReturns> lines);
 
 }  // namespace scanchor

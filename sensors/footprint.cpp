@@ -37,18 +37,20 @@ BeamFootprint::BeamFootprint(const LidarOptions& options, std::uint64_t seed)
 
 BeamFootprint::Axes BeamFootprint::axes(const Eigen::Vector3d& d, int line, int beam) const {
   // Any axis that is not along the beam will do: the pattern is turned at random anyway.
-  const Eigen::Vector3d helper = std::fabs(d.z()) < 0.9 ? Eigen::Vector3d(0, 0, 1) : Eigen::Vector3d(1, 0, 0);
+  const Eigen::Vector3d helper =
+      std::fabs(d.z()) < 0.9 ? Eigen::Vector3d(0, 0, 1) : Eigen::Vector3d(1, 0, 0);
   Eigen::Vector3d a = helper.cross(d);
   a /= std::sqrt(a.squaredNorm());
   const Eigen::Vector3d b = d.cross(a);
-  const double turn = 2.0 * pi * CounterRandom(seed_).uniform(static_cast<std::uint64_t>(line),
-                                                              static_cast<std::uint32_t>(beam));
+  const double turn = 2.0 * pi *
+                      CounterRandom(seed_).uniform(static_cast<std::uint64_t>(line),
+                                                   static_cast<std::uint32_t>(beam));
   const auto [s, c] = portable_sincos(turn);
   return {c * a + s * b, c * b - s * a};
 }
 
 Ray BeamFootprint::subray(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
-                      const Axes& axes, std::size_t i) const {
+                          const Axes& axes, std::size_t i) const {
   const Eigen::Vector3d side = 0.5 * (points_[i].u * axes.u + points_[i].v * axes.v);
   Ray ray;
   ray.origin = origin + aperture_ * side;

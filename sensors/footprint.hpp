@@ -9,16 +9,18 @@
 
 namespace scanchor {
 
-/// Diameter [m] of the footprint at a range: D(R) = aperture + divergence R (SICK manuals; sensors.md 1.2 formula 1).
+/// Diameter [m] of the footprint at a range: D(R) = aperture + divergence R (SICK manuals;
+/// sensors.md 1.2 formula 1).
 double footprint_diameter(const LidarOptions& options, double range);
 
-/// Standard deviation [m] of the range inside the footprint on a plane met at an angle: (D/4) tan a. The same for a uniform disc of
-/// diameter D and for a Gaussian beam whose 1/e^2 diameter is D.
+/// Standard deviation [m] of the range inside the footprint on a plane met at an angle: (D/4) tan
+/// a. The same for a uniform disc of diameter D and for a Gaussian beam whose 1/e^2 diameter is D.
 double footprint_spread(const LidarOptions& options, double range, double cosine);
 
-/// Points in the beam's cross-section, each for the same energy: a sunflower (Vogel, "A better way to construct the sunflower head",
-/// Mathematical Biosciences 44, 1979) with the radii at equal shares of the profile's energy. Each beam turns the pattern by an angle
-/// of its own, so that the mean over beams is the integral over the profile.
+/// Points in the beam's cross-section, each for the same energy: a sunflower (Vogel, "A better way
+/// to construct the sunflower head", Mathematical Biosciences 44, 1979) with the radii at equal
+/// shares of the profile's energy. Each beam turns the pattern by an angle of its own, so that the
+/// mean over beams is the integral over the profile.
 class BeamFootprint {
  public:
   BeamFootprint(const LidarOptions& options, std::uint64_t seed);

@@ -51,20 +51,19 @@ Kinematics::Kinematics(const LidarOptions& options, std::uint64_t seed)
     return sigma > 0.0 ? fixed + sigma * draw.normal(axis) : fixed;
   };
   known_mount_ = {{o.mount_x, o.mount_y, o.mount_z}, Eigen::Matrix3d::Identity()};
-  true_mount_.offset = known_mount_.offset +
-                       Eigen::Vector3d(error(o.mount_error_x, o.mount_sigma, 0),
-                                       error(o.mount_error_y, o.mount_sigma, 1),
-                                       error(o.mount_error_z, o.mount_sigma, 2));
+  true_mount_.offset =
+      known_mount_.offset + Eigen::Vector3d(error(o.mount_error_x, o.mount_sigma, 0),
+                                            error(o.mount_error_y, o.mount_sigma, 1),
+                                            error(o.mount_error_z, o.mount_sigma, 2));
   const double angle_sigma = radians(o.mount_angle_sigma_deg);
   true_mount_.rotation = rotation_rpy(error(radians(o.mount_error_roll_deg), angle_sigma, 3),
                                       error(radians(o.mount_error_pitch_deg), angle_sigma, 4),
                                       error(radians(o.mount_error_yaw_deg), angle_sigma, 5));
   const bool mount_right =
       true_mount_.offset == known_mount_.offset && true_mount_.rotation == known_mount_.rotation;
-  const bool tilt_right =
-      !tilting_ || (o.encoder_step_deg == 0.0 && o.encoder_sigma_deg == 0.0 &&
-                    o.backlash_deg == 0.0 && o.clock_offset == 0.0 &&
-                    (o.deskew || !o.sweep_moves || beam_time_ == 0.0));
+  const bool tilt_right = !tilting_ || (o.encoder_step_deg == 0.0 && o.encoder_sigma_deg == 0.0 &&
+                                        o.backlash_deg == 0.0 && o.clock_offset == 0.0 &&
+                                        (o.deskew || !o.sweep_moves || beam_time_ == 0.0));
   believes_truth_ = mount_right && tilt_right && (o.motion_compensated || !moves_);
 
   const auto beams = static_cast<std::size_t>(o.beams_per_line);
@@ -72,8 +71,8 @@ Kinematics::Kinematics(const LidarOptions& options, std::uint64_t seed)
     const SinCos beta = portable_sincos(beam_angle(static_cast<int>(k)));
     beam_cos_.push_back(beta.cos);
     beam_sin_.push_back(beta.sin);
-    const SinCos skew =
-        portable_sincos(tilt_speed_ * beam_time_ * static_cast<double>(k) * (o.sweep_moves ? 1 : 0));
+    const SinCos skew = portable_sincos(tilt_speed_ * beam_time_ * static_cast<double>(k) *
+                                        (o.sweep_moves ? 1 : 0));
     skew_cos_.push_back(skew.cos);
     skew_sin_.push_back(skew.sin);
   }
@@ -107,10 +106,11 @@ double Kinematics::read_tilt(int line) const {
 }
 
 Eigen::Isometry3d Kinematics::motion(double time) const {
-  // A constant twist (v_x, v_y, w) for a time t: turn by w t, move by the integral of the turning velocity.
+  // A constant twist (v_x, v_y, w) for a time t: turn by w t, move by the integral of the turning
+  // velocity.
   const double turn = radians(options_.robot_turn_deg) * time;
   const auto [s, c] = portable_sincos(turn);
-  double a = 1.0 - turn * turn / 6.0;        // sin(turn) / turn
+  double a = 1.0 - turn * turn / 6.0;            // sin(turn) / turn
   double b = turn * (0.5 - turn * turn / 24.0);  // (1 - cos(turn)) / turn
   if (std::fabs(turn) > 1e-4) {
     a = s / turn;
@@ -169,8 +169,7 @@ void Kinematics::local_directions(int line, BeamColumns& beams) const {
     const double up = -(v.sin / v.cos) * (2.0 * (line + 0.5) / options_.lines - 1.0);
     for (std::size_t k = 0; k < count; ++k) {
       const double left =
-          -(h.sin / h.cos) *
-          (2.0 * (static_cast<double>(k) + 0.5) / options_.beams_per_line - 1.0);
+          -(h.sin / h.cos) * (2.0 * (static_cast<double>(k) + 0.5) / options_.beams_per_line - 1.0);
       const double norm = std::sqrt(1.0 + left * left + up * up);
       beams.direction_x[k] = 1.0 / norm;
       beams.direction_y[k] = left / norm;
@@ -193,7 +192,8 @@ void Kinematics::place(int line, double line_tilt, bool tilt_follows_beam, const
       beams.direction_x[k] = d.x(), beams.direction_y[k] = d.y(), beams.direction_z[k] = d.z();
     }
   }
-  // A positive tilt looks up: it turns x towards z. Plain pointers and no calls, so that the compiler can use vectors.
+  // A positive tilt looks up: it turns x towards z. Plain pointers and no calls, so that the
+  // compiler can use vectors.
   double* dx = beams.direction_x.data();
   double* dz = beams.direction_z.data();
   double* ox = beams.origin_x.data();
@@ -237,8 +237,8 @@ void Kinematics::true_beams(int line, BeamColumns& beams) const {
 void Kinematics::believed_beams(int line, BeamColumns& beams) const {
   const double tilt =
       options_.geometry == "camera" ? radians(options_.tilt_center_deg) : read_tilt(line);
-  place(line, tilt, tilting_ && options_.deskew, known_mount_, moves_ && options_.motion_compensated,
-        beams);
+  place(line, tilt, tilting_ && options_.deskew, known_mount_,
+        moves_ && options_.motion_compensated, beams);
 }
 
 }  // namespace scanchor

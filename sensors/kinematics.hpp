@@ -26,8 +26,8 @@ struct BeamColumns {
 ///
 ///     p = T_motion(t) R_tilt(phi(t)) (t_mount + R_scan(beta) (r, 0, 0)^T)
 ///
-/// with phi(t) = phi_0 + omega t. The driver uses the encoder's phi, the known mounting and, if the motion is compensated, the same
-/// T_motion. Immutable after construction.
+/// with phi(t) = phi_0 + omega t. The driver uses the encoder's phi, the known mounting and, if the
+/// motion is compensated, the same T_motion. Immutable after construction.
 class Kinematics {
  public:
   Kinematics(const LidarOptions& options, std::uint64_t seed);
@@ -72,9 +72,9 @@ class Kinematics {
   Mount true_mount_;
   Mount known_mount_;
   double tilt_speed_ = 0.0;
-  double beam_step_ = 0.0;   // [rad]
-  double line_step_ = 0.0;   // [rad]
-  double beam_time_ = 0.0;   // [s]
+  double beam_step_ = 0.0;  // [rad]
+  double line_step_ = 0.0;  // [rad]
+  double beam_time_ = 0.0;  // [s]
   bool tilting_ = true;
   bool moves_ = false;
   bool believes_truth_ = true;

@@ -10,10 +10,10 @@ namespace scanchor {
 
 /// Columns, a row a beam. A beam without return has triangle == no_hit.
 struct LineReturns {
-  std::vector<double> range;        ///< [m] of the echo: mixed where surfaces ran together
-  std::vector<double> true_range;   ///< [m] of the surface whose label the point bears
-  std::vector<double> cosine;       ///< of the incidence at that surface, [0, 1]
-  std::vector<double> reflected;    ///< rho cos a of the whole echo: received energy times range^2
+  std::vector<double> range;       ///< [m] of the echo: mixed where surfaces ran together
+  std::vector<double> true_range;  ///< [m] of the surface whose label the point bears
+  std::vector<double> cosine;      ///< of the incidence at that surface, [0, 1]
+  std::vector<double> reflected;   ///< rho cos a of the whole echo: received energy times range^2
   std::vector<std::uint32_t> triangle;   ///< whose label the point bears
   std::vector<std::uint32_t> runner_up;  ///< second surface in the footprint, or no_hit
   std::vector<std::uint8_t> flags;       ///< PointFlag bits

@@ -74,7 +74,8 @@ void add_scan(Scan& sum, const Scan& scan, const Eigen::Isometry3d& T, std::int3
 }  // namespace
 
 void MergeOptions::describe(OptionList& list) {
-  list.add("position_sigma", position_sigma, "m", "registration error of each scan but the first, each axis", 0.0, 10.0);
+  list.add("position_sigma", position_sigma, "m",
+           "registration error of each scan but the first, each axis", 0.0, 10.0);
   list.add("angle_sigma_deg", angle_sigma_deg, "deg", "the same about each axis", 0.0, 90.0);
   list.add("shuffle", shuffle, "mix the points of all scans");
 }

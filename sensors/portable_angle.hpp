@@ -1,5 +1,6 @@
 #pragma once
-// Inverse trigonometric functions for what decides bytes of a data set: only operations that IEEE 754 rounds exactly.
+// Inverse trigonometric functions for what decides bytes of a data set: only operations that IEEE
+// 754 rounds exactly.
 
 #include <cmath>
 
@@ -7,7 +8,8 @@
 
 namespace scanchor {
 
-/// Angle [rad] from its cosine in [0, 1], to 3e-8 rad: finer than the float that keeps it. Abramowitz & Stegun 4.4.46.
+/// Angle [rad] from its cosine in [0, 1], to 3e-8 rad: finer than the float that keeps it.
+/// Abramowitz & Stegun 4.4.46.
 inline double angle_of_cosine(double c) {
   double sum = -0.0012624911;
   sum = sum * c + 0.0066700901;
@@ -20,8 +22,8 @@ inline double angle_of_cosine(double c) {
   return std::sqrt(1.0 - c) * sum;
 }
 
-/// Arc tangent [rad] of y / x in (-pi, pi], to 1e-15. Two halvings of the angle, atan t = 2 atan(t / (1 + sqrt(1 + t^2))), then
-/// the power series.
+/// Arc tangent [rad] of y / x in (-pi, pi], to 1e-15. Two halvings of the angle, atan t = 2 atan(t
+/// / (1 + sqrt(1 + t^2))), then the power series.
 inline double portable_atan2(double y, double x) {
   if (x == 0.0 && y == 0.0) return 0.0;
   const double ax = std::fabs(x), ay = std::fabs(y);

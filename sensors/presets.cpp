@@ -154,8 +154,8 @@ LidarOptions pmd_camcube() {
 using Maker = std::function<LidarOptions()>;
 const std::vector<std::pair<std::string, Maker>>& makers() {
   static const std::vector<std::pair<std::string, Maker>> list = {
-      {"paper", paper},     {"utm-30lx", utm_30lx}, {"ust-20lx", ust_20lx},
-      {"lms-200", lms_200}, {"lms-1xx", lms_1xx},   {"lms-5xx", lms_5xx},
+      {"paper", paper},     {"utm-30lx", utm_30lx},      {"ust-20lx", ust_20lx},
+      {"lms-200", lms_200}, {"lms-1xx", lms_1xx},        {"lms-5xx", lms_5xx},
       {"vlp-16", vlp_16},   {"pmd-camcube", pmd_camcube}};
   return list;
 }

@@ -1,5 +1,6 @@
 #pragma once
-// From the true range to the number that the instrument reports: noise, drift, wiggling, quantisation.
+// From the true range to the number that the instrument reports: noise, drift, wiggling,
+// quantisation.
 
 #include <cstdint>
 #include <vector>
@@ -9,13 +10,16 @@
 
 namespace scanchor {
 
-/// Standard deviation [m] of the range noise: sensors.md 1.2 formula 4, max(s_min, k r + c) (Pomerleau, Breitenmoser, Liu,
-/// Colas, Siegwart 2012), plus formula 3 in quadrature, sigma_0 ((R/R_0)^2 rho_0 / (rho cos a))^e (Soudarissanane et al. 2009;
-/// e = 1 electronics limited, 1/2 shot limited), plus `spread_noise` of the footprint's range spread (formula 1).
-/// `reflected` is rho cos a of the echo, `cosine` that of the incidence.
-double range_noise_sigma(const LidarOptions& options, double range, double reflected, double cosine);
+/// Standard deviation [m] of the range noise: sensors.md 1.2 formula 4, max(s_min, k r + c)
+/// (Pomerleau, Breitenmoser, Liu, Colas, Siegwart 2012), plus formula 3 in quadrature, sigma_0
+/// ((R/R_0)^2 rho_0 / (rho cos a))^e (Soudarissanane et al. 2009; e = 1 electronics limited, 1/2
+/// shot limited), plus `spread_noise` of the footprint's range spread (formula 1). `reflected` is
+/// rho cos a of the echo, `cosine` that of the incidence.
+double range_noise_sigma(const LidarOptions& options, double range, double reflected,
+                         double cosine);
 
-/// Error of a phase camera that repeats four times a period (formula 12; Lange & Seitz 2001): wiggle sin(4 . 4 pi f R / c).
+/// Error of a phase camera that repeats four times a period (formula 12; Lange & Seitz 2001):
+/// wiggle sin(4 . 4 pi f R / c).
 double wiggling(const LidarOptions& options, double range);
 
 /// Nearest multiple of the quantum (formula 8).

@@ -12,10 +12,12 @@
 namespace scanchor {
 namespace {
 
-/// Smooth weighted round robin: after n turns each entry has had its share of n within one, whatever n is.
+/// Smooth weighted round robin: after n turns each entry has had its share of n within one,
+/// whatever n is.
 class RoundRobin {
  public:
-  explicit RoundRobin(std::vector<double> weights) : weights_(std::move(weights)), credit_(weights_.size()) {
+  explicit RoundRobin(std::vector<double> weights)
+      : weights_(std::move(weights)), credit_(weights_.size()) {
     for (const double weight : weights_) sum_ += weight;
   }
   std::size_t next() {
@@ -44,7 +46,8 @@ void vary_options(const Suite& suite, SceneTask& task) {
     const double value = variation.minimum + u * (variation.maximum - variation.minimum);
     const auto option = std::find_if(list.options().begin(), list.options().end(),
                                      [&](const Option& o) { return o.name == variation.option; });
-    const bool whole = option != list.options().end() && std::holds_alternative<int*>(option->value);
+    const bool whole =
+        option != list.options().end() && std::holds_alternative<int*>(option->value);
     list.set(variation.option, whole ? fmt::format("{}", static_cast<long>(std::floor(value + 0.5)))
                                      : fmt::format("{}", value));
   }
@@ -81,7 +84,8 @@ std::vector<SceneTask> scene_tasks(const Suite& suite) {
     fail_data(suite.name, "families", "no family has a weight above 0");
   }
   RoundRobin families(weights);
-  std::vector<RoundRobin> splits(weights.size(), RoundRobin({suite.split.train, suite.split.valid, suite.split.test}));
+  std::vector<RoundRobin> splits(
+      weights.size(), RoundRobin({suite.split.train, suite.split.valid, suite.split.test}));
   std::vector<SceneTask> tasks;
   for (int index = 0; index < suite.scenes; ++index) {
     SceneTask task;

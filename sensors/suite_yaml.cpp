@@ -14,7 +14,7 @@
 namespace scanchor {
 namespace {
 
-const std::vector<std::string> known_keys = {"name", "text",     "seed", "scenes", "scans", "split",
+const std::vector<std::string> known_keys = {"name",     "text", "seed", "scenes", "scans", "split",
                                              "families", "vary", "room", "settle", "lidar"};
 
 class SuiteReader {
@@ -26,7 +26,8 @@ class SuiteReader {
     try {
       root = YAML::Load(yaml);
     } catch (const YAML::Exception& error) {
-      fail_data(file_, fmt::format("line {}", error.mark.line + 1), "is no valid YAML: " + error.msg);
+      fail_data(file_, fmt::format("line {}", error.mark.line + 1),
+                "is no valid YAML: " + error.msg);
     }
     if (!root.IsMap()) fail(root, "a suite is a map of keys to values");
     suite_.describe(options_);
@@ -44,7 +45,8 @@ class SuiteReader {
  private:
   using Entries = std::vector<std::pair<YAML::Node, YAML::Node>>;
 
-  [[noreturn]] void fail(const YAML::Node& node, const std::string& cause, const std::string& remedy = "") const {
+  [[noreturn]] void fail(const YAML::Node& node, const std::string& cause,
+                         const std::string& remedy = "") const {
     const int line = node.Mark().line;
     fail_data(file_, line >= 0 ? fmt::format("line {}", line + 1) : "", cause, remedy);
   }
@@ -55,7 +57,8 @@ class SuiteReader {
     std::set<std::string> seen;
     for (const auto& entry : map) {
       if (!entry.first.IsScalar()) fail(entry.first, "a key must be a word");
-      if (!seen.insert(entry.first.Scalar()).second) fail(entry.first, fmt::format("the key '{}' comes twice", entry.first.Scalar()));
+      if (!seen.insert(entry.first.Scalar()).second)
+        fail(entry.first, fmt::format("the key '{}' comes twice", entry.first.Scalar()));
       list.emplace_back(entry.first, entry.second);
     }
     return list;
@@ -66,9 +69,11 @@ class SuiteReader {
     return node.Scalar();
   }
 
-  double number(const YAML::Node& node, const std::string& key, double minimum, double maximum) const {
+  double number(const YAML::Node& node, const std::string& key, double minimum,
+                double maximum) const {
     double value = 0.0;
-    if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) || !(value >= minimum && value <= maximum)) {
+    if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) ||
+        !(value >= minimum && value <= maximum)) {
       fail(node, fmt::format("{} must be a number from {} to {}", key, minimum, maximum));
     }
     return value;
@@ -116,12 +121,17 @@ class SuiteReader {
     suite_.split = {0.0, 0.0, 0.0};
     for (const auto& [key, value] : entries(map)) {
       const std::string part = key.Scalar();
-      double* share = part == "train" ? &suite_.split.train : part == "valid" ? &suite_.split.valid
-                                                          : part == "test"  ? &suite_.split.test : nullptr;
-      if (share == nullptr) fail(key, fmt::format("unknown part '{}'", part), suggestion(part, {"train", "valid", "test"}));
+      double* share = part == "train"   ? &suite_.split.train
+                      : part == "valid" ? &suite_.split.valid
+                      : part == "test"  ? &suite_.split.test
+                                        : nullptr;
+      if (share == nullptr)
+        fail(key, fmt::format("unknown part '{}'", part),
+             suggestion(part, {"train", "valid", "test"}));
       *share = number(value, part, 0.0, 1e9);
     }
-    if (suite_.split.train + suite_.split.valid + suite_.split.test <= 0.0) fail(map, "split has no share above 0");
+    if (suite_.split.train + suite_.split.valid + suite_.split.test <= 0.0)
+      fail(map, "split has no share above 0");
   }
 
   void take_families(const YAML::Node& map) {
@@ -131,7 +141,8 @@ class SuiteReader {
     for (const auto& [key, value] : entries(map)) {
       const auto& known = room_families();
       if (std::find(known.begin(), known.end(), key.Scalar()) == known.end()) {
-        fail(key, fmt::format("unknown family '{}'", key.Scalar()), suggestion(key.Scalar(), known));
+        fail(key, fmt::format("unknown family '{}'", key.Scalar()),
+             suggestion(key.Scalar(), known));
       }
       suite_.families.emplace_back(key.Scalar(), number(value, key.Scalar(), 0.0, 1e9));
       sum += suite_.families.back().second;
@@ -142,10 +153,12 @@ class SuiteReader {
   void take_variations(const YAML::Node& map) {
     if (!map.IsMap()) fail(map, "vary must be a map of options to [minimum, maximum]");
     for (const auto& [key, value] : entries(map)) {
-      if (!value.IsSequence() || value.size() != 2) fail(value, fmt::format("{} must be [minimum, maximum]", key.Scalar()));
+      if (!value.IsSequence() || value.size() != 2)
+        fail(value, fmt::format("{} must be [minimum, maximum]", key.Scalar()));
       Variation variation{key.Scalar(), number(value[0], key.Scalar(), -1e300, 1e300),
                           number(value[1], key.Scalar(), -1e300, 1e300)};
-      if (variation.minimum > variation.maximum) fail(value, fmt::format("{}: the minimum is above the maximum", key.Scalar()));
+      if (variation.minimum > variation.maximum)
+        fail(value, fmt::format("{}: the minimum is above the maximum", key.Scalar()));
       suite_.vary.push_back(variation);
       variations_.emplace_back(key, variation);
     }
@@ -159,9 +172,12 @@ class SuiteReader {
       }
       return;
     }
-    if (name.find('.') == std::string::npos) fail(value, fmt::format("{} must be a map of options to values", name));
+    if (name.find('.') == std::string::npos)
+      fail(value, fmt::format("{} must be a map of options to values", name));
     if (!value.IsScalar()) fail(value, fmt::format("{} must be a single value", name));
-    if (name == "room.family") fail(key, "the family of a room comes from the suite's families", "write families: {office: 1}");
+    if (name == "room.family")
+      fail(key, "the family of a room comes from the suite's families",
+           "write families: {office: 1}");
     if (name == "lidar.preset") {  // the base that all other options of the sensor change
       guard(value, [&] { suite_.lidar = lidar_preset(value.Scalar()); });
       return;
@@ -182,7 +198,8 @@ class SuiteReader {
       const std::string before = list.get(variation.option);
       const auto option = std::find_if(list.options().begin(), list.options().end(),
                                        [&](const Option& o) { return o.name == variation.option; });
-      if (!std::holds_alternative<double*>(option->value) && !std::holds_alternative<int*>(option->value)) {
+      if (!std::holds_alternative<double*>(option->value) &&
+          !std::holds_alternative<int*>(option->value)) {
         fail(node, fmt::format("{} is no number and cannot be varied", variation.option));
       }
       list.set(variation.option, fmt::format("{}", variation.minimum));
@@ -210,7 +227,9 @@ class SuiteReader {
 
 }  // namespace
 
-Suite parse_suite(const std::string& yaml, const std::string& file) { return SuiteReader(file).read(yaml); }
+Suite parse_suite(const std::string& yaml, const std::string& file) {
+  return SuiteReader(file).read(yaml);
+}
 
 Suite read_suite(const std::filesystem::path& path) {
   const std::string yaml = read_file(path);
@@ -228,10 +247,16 @@ nlohmann::ordered_json suite_to_json(const Suite& suite) {
   for (const auto& [name, weight] : suite.families) families[name] = weight;
   Json vary = Json::object();
   for (const auto& v : suite.vary) vary[v.option] = {v.minimum, v.maximum};
-  Json json = {{"name", suite.name}, {"text", suite.text}, {"seed", suite.seed}, {"scenes", suite.scenes},
-               {"scans", suite.scans},
-               {"split", {{"train", suite.split.train}, {"valid", suite.split.valid}, {"test", suite.split.test}}},
-               {"families", families}, {"vary", vary}};
+  Json json = {
+      {"name", suite.name},
+      {"text", suite.text},
+      {"seed", suite.seed},
+      {"scenes", suite.scenes},
+      {"scans", suite.scans},
+      {"split",
+       {{"train", suite.split.train}, {"valid", suite.split.valid}, {"test", suite.split.test}}},
+      {"families", families},
+      {"vary", vary}};
   json.update(options);
   return json;
 }

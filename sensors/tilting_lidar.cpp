@@ -67,8 +67,8 @@ class Sweep {
   const BeamTracer tracer_;
   const Detection detection_;
   const RangeError range_error_;
-  std::vector<LineReturns> middles_;      // with a footprint: of all lines, before any is refined
-  std::vector<std::uint8_t> straddles_;   // with a footprint: one a beam
+  std::vector<LineReturns> middles_;     // with a footprint: of all lines, before any is refined
+  std::vector<std::uint8_t> straddles_;  // with a footprint: one a beam
   Scan& scan_;
   std::vector<float>* intensity_ = nullptr;
   std::vector<std::size_t> kept_;              // points of each line
@@ -79,7 +79,8 @@ void Sweep::run() {
   const auto beams = static_cast<std::size_t>(options_.beams_per_line);
   const auto lines = static_cast<std::size_t>(options_.lines);
   const std::size_t fired = beams * lines;
-  // All columns at full length first: every line has its own place and lines need not wait for each other.
+  // All columns at full length first: every line has its own place and lines need not wait for each
+  // other.
   scan_.cloud.points.resize(fired);
   if (scan_.cloud.fields.size() != 1 || scan_.cloud.fields[0].name != "intensity" ||
       !std::holds_alternative<std::vector<float>>(scan_.cloud.fields[0].values)) {
@@ -145,11 +146,10 @@ void Sweep::to_world(LineWork& work) const {
   const Eigen::Vector3d t = T_world_sensor_.translation();
   const BeamColumns& b = work.beams;
   BeamColumns& w = work.world;
-  transform_row(R.data(), nullptr, b.direction_x.data(), b.direction_y.data(),
-                b.direction_z.data(), count, w.direction_x.data(), w.direction_y.data(),
-                w.direction_z.data());
-  transform_row(R.data(), t.data(), b.origin_x.data(), b.origin_y.data(), b.origin_z.data(),
-                count, w.origin_x.data(), w.origin_y.data(), w.origin_z.data());
+  transform_row(R.data(), nullptr, b.direction_x.data(), b.direction_y.data(), b.direction_z.data(),
+                count, w.direction_x.data(), w.direction_y.data(), w.direction_z.data());
+  transform_row(R.data(), t.data(), b.origin_x.data(), b.origin_y.data(), b.origin_z.data(), count,
+                w.origin_x.data(), w.origin_y.data(), w.origin_z.data());
 }
 
 /// Area of the faces that the beams of a line reached, lost pulses included.

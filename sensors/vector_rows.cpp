@@ -16,8 +16,9 @@ namespace {
 constexpr std::size_t block = 64;
 
 // Coefficients of AS 241 for |p - 1/2| <= 0.425, as in core/math.cpp.
-constexpr double a[] = {3.3871328727963666080e0,  1.3314166789178437745e+2, 1.9715909503065514427e+3,
-                        1.3731693765509461125e+4, 4.5921953931549871457e+4, 6.7265770927008700853e+4,
+constexpr double a[] = {3.3871328727963666080e0,  1.3314166789178437745e+2,
+                        1.9715909503065514427e+3, 1.3731693765509461125e+4,
+                        4.5921953931549871457e+4, 6.7265770927008700853e+4,
                         3.3430575583588128105e+4, 2.5090809287301226727e+3};
 constexpr double b[] = {1.0,
                         4.2313330701600911252e+1,
@@ -41,7 +42,8 @@ constexpr double d[] = {1.0,
                         5.47593808499534494600e-4,
                         1.05075007164441684324e-9};
 
-/// Square roots of an even number of values, in place. std::sqrt may set errno, and a loop that can branch for that has no vectors.
+/// Square roots of an even number of values, in place. std::sqrt may set errno, and a loop that can
+/// branch for that has no vectors.
 void square_roots(double* x, std::size_t count) {
 #if defined(__SSE2__)
   for (std::size_t i = 0; i < count; i += 2) _mm_storeu_pd(x + i, _mm_sqrt_pd(_mm_loadu_pd(x + i)));
@@ -51,14 +53,16 @@ void square_roots(double* x, std::size_t count) {
 }
 
 inline double horner(const double (&k)[8], double r) {
-  return ((((((k[7] * r + k[6]) * r + k[5]) * r + k[4]) * r + k[3]) * r + k[2]) * r + k[1]) * r + k[0];
+  return ((((((k[7] * r + k[6]) * r + k[5]) * r + k[4]) * r + k[3]) * r + k[2]) * r + k[1]) * r +
+         k[0];
 }
 
 }  // namespace
 
 /// Philox4x32-10 for the counters (a, first + k, 0): two uniforms each.
 SCANCHOR_EACH_VECTOR_WIDTH
-static void uniform_block(std::uint64_t seed, std::uint64_t counter, std::uint32_t first, double* p) {
+static void uniform_block(std::uint64_t seed, std::uint64_t counter, std::uint32_t first,
+                          double* p) {
   constexpr std::size_t half = block / 2;
   std::uint32_t x0[half], x1[half], x2[half], x3[half];
   for (std::size_t i = 0; i < half; ++i) {
@@ -83,7 +87,8 @@ static void uniform_block(std::uint64_t seed, std::uint64_t counter, std::uint32
     k0 += 0x9E3779B9;
     k1 += 0xBB67AE85;
   }
-  // 53 bits, w0 << 21 ^ w1 >> 11, as two halves that convert exactly through signed 32-bit integers.
+  // 53 bits, w0 << 21 ^ w1 >> 11, as two halves that convert exactly through signed 32-bit
+  // integers.
   const auto uniform = [](std::uint32_t w0, std::uint32_t w1) {
     const std::uint32_t low = (w0 << 21) ^ (w1 >> 11);
     const double low_part =
@@ -171,9 +176,15 @@ SCANCHOR_EACH_VECTOR_WIDTH
 static void angle_block(const double* cosine, const double* root, std::size_t count, float* out) {
   for (std::size_t k = 0; k < count; ++k) {
     const double x = cosine[k];
-    const double sum = ((((((-0.0012624911 * x + 0.0066700901) * x - 0.0170881256) * x +
-                           0.0308918810) * x - 0.0501743046) * x + 0.0889789874) * x -
-                        0.2145988016) * x + 1.5707963050;
+    const double sum =
+        ((((((-0.0012624911 * x + 0.0066700901) * x - 0.0170881256) * x + 0.0308918810) * x -
+           0.0501743046) *
+              x +
+          0.0889789874) *
+             x -
+         0.2145988016) *
+            x +
+        1.5707963050;
     out[k] = static_cast<float>(root[k] * sum);
   }
 }

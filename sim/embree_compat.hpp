@@ -1,8 +1,8 @@
 #pragma once
 // Embree 3 and 4 behind one set of names. Private to sim/: only world.cpp includes it.
 //
-// Embree 4 renamed the header, replaced the intersection context by optional arguments, and dropped the stream calls; packets of
-// 4, 8 and 16 live in both, which is why we use those.
+// Embree 4 renamed the header, replaced the intersection context by optional arguments, and dropped
+// the stream calls; packets of 4, 8 and 16 live in both, which is why we use those.
 
 #if SCANCHOR_EMBREE_MAJOR >= 4
 #include <embree4/rtcore.h>
@@ -13,7 +13,8 @@
 namespace scanchor::embree {
 
 #if SCANCHOR_EMBREE_MAJOR >= 4
-/// What every query takes beside its rays. Without the coherent flag packets run at the speed of single rays.
+/// What every query takes beside its rays. Without the coherent flag packets run at the speed of
+/// single rays.
 struct Query {
   RTCIntersectArguments arguments;
   explicit Query(bool coherent = true) {
@@ -21,7 +22,9 @@ struct Query {
     arguments.flags = coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
   }
 };
-inline void intersect(RTCScene scene, Query& q, RTCRayHit& r) { rtcIntersect1(scene, &r, &q.arguments); }
+inline void intersect(RTCScene scene, Query& q, RTCRayHit& r) {
+  rtcIntersect1(scene, &r, &q.arguments);
+}
 inline void intersect(const int* valid, RTCScene scene, Query& q, RTCRayHit4& r) {
   rtcIntersect4(valid, scene, &r, &q.arguments);
 }
@@ -32,15 +35,19 @@ inline void intersect(const int* valid, RTCScene scene, Query& q, RTCRayHit16& r
   rtcIntersect16(valid, scene, &r, &q.arguments);
 }
 #else
-/// What every query takes beside its rays. Without the coherent flag packets run at the speed of single rays.
+/// What every query takes beside its rays. Without the coherent flag packets run at the speed of
+/// single rays.
 struct Query {
   RTCIntersectContext context;
   explicit Query(bool coherent = true) {
     rtcInitIntersectContext(&context);
-    context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    context.flags =
+        coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   }
 };
-inline void intersect(RTCScene scene, Query& q, RTCRayHit& r) { rtcIntersect1(scene, &q.context, &r); }
+inline void intersect(RTCScene scene, Query& q, RTCRayHit& r) {
+  rtcIntersect1(scene, &q.context, &r);
+}
 inline void intersect(const int* valid, RTCScene scene, Query& q, RTCRayHit4& r) {
   rtcIntersect4(valid, scene, &q.context, &r);
 }

@@ -12,10 +12,12 @@
 namespace scanchor {
 namespace {
 
-// Bullet keeps shapes apart by a margin; hulls are shrunk by it, so that the outside stays where the part's outside is.
-constexpr double margin = 0.0005;             // [m]
-constexpr double allowed_penetration = 0.001; // [m] of issue and docs: nothing interpenetrates by more
-constexpr double support_gap = 0.001;         // [m] nearer than this something is in contact
+// Bullet keeps shapes apart by a margin; hulls are shrunk by it, so that the outside stays where
+// the part's outside is.
+constexpr double margin = 0.0005;  // [m]
+constexpr double allowed_penetration =
+    0.001;                             // [m] of issue and docs: nothing interpenetrates by more
+constexpr double support_gap = 0.001;  // [m] nearer than this something is in contact
 
 btVector3 to_bullet(const Eigen::Vector3d& v) {
   return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
@@ -86,7 +88,7 @@ class Settling {
     std::size_t instance;
     btRigidBody* body;
     Eigen::Isometry3d T_instance_body;  // the body's origin is its centre of mass
-    double radius;                      // [m] of the farthest corner, to weigh turning against moving
+    double radius;  // [m] of the farthest corner, to weigh turning against moving
     bool supported = false;
   };
   btCollisionShape* own(std::unique_ptr<btCollisionShape> shape);
@@ -122,7 +124,8 @@ Eigen::AlignedBox3d instance_box(const Instance& instance) {
 
 Settling::Settling(Scene& scene, const SettleOptions& options) : scene_(scene), options_(options) {
   world_.setGravity(btVector3(0, 0, btScalar(-9.81)));
-  // Bullet chooses a solver with fused multiply-add where the processor has it; the scalar one is the same everywhere.
+  // Bullet chooses a solver with fused multiply-add where the processor has it; the scalar one is
+  // the same everywhere.
   solver_.setConstraintRowSolverGeneric(solver_.getScalarConstraintRowSolverGeneric());
   solver_.setConstraintRowSolverLowerLimit(solver_.getScalarConstraintRowSolverLowerLimit());
   btContactSolverInfo& info = world_.getSolverInfo();
@@ -131,8 +134,9 @@ Settling::Settling(Scene& scene, const SettleOptions& options) : scene_(scene), 
   info.m_splitImpulse = 1;
   info.m_splitImpulsePenetrationThreshold = btScalar(-1e-5);
   info.m_erp2 = btScalar(0.4);
-  dispatcher_.setDispatcherFlags(dispatcher_.getDispatcherFlags() &
-                                 ~btCollisionDispatcher::CD_USE_RELATIVE_CONTACT_BREAKING_THRESHOLD);
+  dispatcher_.setDispatcherFlags(
+      dispatcher_.getDispatcherFlags() &
+      ~btCollisionDispatcher::CD_USE_RELATIVE_CONTACT_BREAKING_THRESHOLD);
 
   Eigen::AlignedBox3d reach;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
@@ -180,9 +184,9 @@ btCollisionShape* Settling::convex_shape(const Part& part, Eigen::Isometry3d& T_
   }
   btConvexHullComputer hull;
   // The clamp keeps a plate thinner than two margins from turning inside out.
-  const btScalar shrunk = hull.compute(points.data(), 3 * sizeof(float),
-                                       static_cast<int>(part.vertices.size()),
-                                       static_cast<btScalar>(margin), btScalar(0.4));
+  const btScalar shrunk =
+      hull.compute(points.data(), 3 * sizeof(float), static_cast<int>(part.vertices.size()),
+                   static_cast<btScalar>(margin), btScalar(0.4));
   auto shape = std::make_unique<btConvexHullShape>();
   for (int i = 0; i < hull.vertices.size(); ++i) shape->addPoint(hull.vertices[i], false);
   shape->recalcLocalAabb();
@@ -229,8 +233,8 @@ void Settling::add_loose(std::size_t index) {
   for (const Part& part : instance.parts) {
     const Bulk one = bulk(part);
     total.volume += one.volume;
-    total.moment += part.T_instance_part * one.moment +
-                    (one.volume - 1.0) * part.T_instance_part.translation();
+    total.moment +=
+        part.T_instance_part * one.moment + (one.volume - 1.0) * part.T_instance_part.translation();
   }
   Loose thing{index, nullptr, Eigen::Isometry3d::Identity(), 0.0, false};
   Eigen::AlignedBox3d box;
@@ -250,7 +254,8 @@ void Settling::add_loose(std::size_t index) {
     if (part.vertices.empty()) continue;
     Eigen::Isometry3d T_part_shape;
     btCollisionShape* shape = convex_shape(part, T_part_shape);
-    compound->addChildShape(to_bullet(T_body_instance * part.T_instance_part * T_part_shape), shape);
+    compound->addChildShape(to_bullet(T_body_instance * part.T_instance_part * T_part_shape),
+                            shape);
   }
   compound->setMargin(btScalar(margin));
   btVector3 inertia(0, 0, 0);
@@ -335,7 +340,8 @@ SettleReport Settling::run() {
                         .contains(center)) {
       report.problems.push_back(fmt::format("{} fell out of the room", name(thing)));
     } else if (speed(thing) >= options_.rest_speed) {
-      report.problems.push_back(fmt::format("{} still moves at {:.3f} m/s", name(thing), speed(thing)));
+      report.problems.push_back(
+          fmt::format("{} still moves at {:.3f} m/s", name(thing), speed(thing)));
     } else if (!thing.supported) {
       report.problems.push_back(fmt::format("{} hangs in the air", name(thing)));
     }
@@ -352,7 +358,8 @@ SettleReport Settling::run() {
 
 void SettleOptions::describe(OptionList& list) {
   list.add("time_step", time_step, "s", "fixed step of the simulation", 1e-4, 0.02);
-  list.add("maximum_time", maximum_time, "s", "simulated time after which a room counts as unsettled", 0.1, 60.0);
+  list.add("maximum_time", maximum_time, "s",
+           "simulated time after which a room counts as unsettled", 0.1, 60.0);
   list.add("rest_speed", rest_speed, "m/s", "below it a thing counts as at rest", 1e-4, 0.1);
   list.add("rest_time", rest_time, "s", "that everything must stay below rest_speed", 0.0, 10.0);
   list.add("friction", friction, "1", "Coulomb coefficient of every pair", 0.0, 2.0);

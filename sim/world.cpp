@@ -18,8 +18,8 @@
 namespace scanchor {
 namespace {
 
-/// Flush-to-zero and denormals-are-zero while it lives: Embree asks for both in every thread that traces, and the caller's mode
-/// comes back afterwards.
+/// Flush-to-zero and denormals-are-zero while it lives: Embree asks for both in every thread that
+/// traces, and the caller's mode comes back afterwards.
 class FlushDenormals {
  public:
 #if defined(__SSE__)
@@ -38,7 +38,8 @@ class FlushDenormals {
   FlushDenormals& operator=(const FlushDenormals&) = delete;
 };
 
-/// One Embree device an instruction set, kept for the life of the program: making one costs more than building a room.
+/// One Embree device an instruction set, kept for the life of the program: making one costs more
+/// than building a room.
 RTCDevice device(const std::string& isa) {
   static std::mutex mutex;
   static auto& devices = *new std::map<std::string, RTCDevice>;
@@ -80,8 +81,9 @@ bool lies_in(const TrianglePlane& plane, const Eigen::Vector3d* corners) {
   return true;
 }
 
-/// Gloss whose mirror image is at most a twentieth of what the surface scatters by itself is matt to a scanner: the image comes as a
-/// second, weaker echo. Without this rule every varnished board would be a mirror.
+/// Gloss whose mirror image is at most a twentieth of what the surface scatters by itself is matt
+/// to a scanner: the image comes as a second, weaker echo. Without this rule every varnished board
+/// would be a mirror.
 bool is_plain(const Material& material) {
   return material.transmittance == 0.0 &&
          material.specular * material.specular <= 0.05 * material.reflectance;
@@ -148,7 +150,8 @@ void World::Impl::collect() {
   }
 }
 
-/// Gives all triangles of a planar face the plane of its largest triangle, which is the best conditioned one.
+/// Gives all triangles of a planar face the plane of its largest triangle, which is the best
+/// conditioned one.
 void World::Impl::share_planes() {
   std::vector<double> largest(faces.size(), 0.0);
   std::vector<std::size_t> chosen(faces.size(), 0);
@@ -177,15 +180,15 @@ void World::Impl::build() {
   embree = rtcNewScene(embree_device);
   rtcSetSceneBuildQuality(embree,
                           options.high_quality ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM);
-  // Robust: without it a ray can slip between two triangles that share an edge, and a closed room leaks.
+  // Robust: without it a ray can slip between two triangles that share an edge, and a closed room
+  // leaks.
   rtcSetSceneFlags(embree, RTC_SCENE_FLAG_ROBUST);
   RTCGeometry geometry = rtcNewGeometry(embree_device, RTC_GEOMETRY_TYPE_TRIANGLE);
   const std::size_t count = truth.size();
   auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
       geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * count));
-  auto* indices = static_cast<unsigned int*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                              3 * sizeof(unsigned int), count));
+  auto* indices = static_cast<unsigned int*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned int), count));
   for (std::size_t v = 0; v < 3 * count; ++v) {
     for (int axis = 0; axis < 3; ++axis) {
       vertices[3 * v + static_cast<std::size_t>(axis)] = static_cast<float>(corners[v][axis]);
@@ -198,9 +201,12 @@ void World::Impl::build() {
   rtcCommitScene(embree);
 }
 
-/// Embree replaces components below 1e-18 by +1e-18 before it inverts them, but sorts rays into octants by the sign they came with: one
-/// component of -8e-19 (a beam at 90 degrees, times a small tilt) made it lose the whole packet. Zero has no such contradiction.
-static inline float ray_component(double d) { return std::fabs(d) < 1e-15 ? 0.0F : static_cast<float>(d); }
+/// Embree replaces components below 1e-18 by +1e-18 before it inverts them, but sorts rays into
+/// octants by the sign they came with: one component of -8e-19 (a beam at 90 degrees, times a small
+/// tilt) made it lose the whole packet. Zero has no such contradiction.
+static inline float ray_component(double d) {
+  return std::fabs(d) < 1e-15 ? 0.0F : static_cast<float>(d);
+}
 
 double World::Impl::range(std::uint32_t t, double ox, double oy, double oz, double dx, double dy,
                           double dz) const {
@@ -235,7 +241,8 @@ void World::Impl::trace_packets(const RayColumns& rays, std::uint32_t* triangle,
     packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
     valid[i] = -1;
   }
-  // Of a full packet the number of rays is known to the compiler, and the conversions become vectors.
+  // Of a full packet the number of rays is known to the compiler, and the conversions become
+  // vectors.
   const auto fill = [&](std::size_t first, int n) {
     for (int i = 0; i < n; ++i) {
       const std::size_t k = first + static_cast<std::size_t>(i);
@@ -260,8 +267,9 @@ void World::Impl::trace_packets(const RayColumns& rays, std::uint32_t* triangle,
       packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
       packet.hit.primID[i] = RTC_INVALID_GEOMETRY_ID;
     }
-    // The frustum of a coherent packet is built for rays from one point. With several origins, whether a ray that passes close to an
-    // edge is culled was seen to depend on its neighbours in the packet.
+    // The frustum of a coherent packet is built for rays from one point. With several origins,
+    // whether a ray that passes close to an edge is culled was seen to depend on its neighbours in
+    // the packet.
     bool one_origin = true;
     for (int i = 0; i < n; ++i) {
       one_origin = one_origin && packet.ray.org_x[i] == packet.ray.org_x[0] &&
@@ -270,7 +278,8 @@ void World::Impl::trace_packets(const RayColumns& rays, std::uint32_t* triangle,
     }
     embree::intersect(valid, embree, one_origin ? coherent : incoherent, packet);
     // An untouched primID is RTC_INVALID_GEOMETRY_ID, which is our no_hit.
-    for (int i = 0; i < n; ++i) triangle[first + static_cast<std::size_t>(i)] = packet.hit.primID[i];
+    for (int i = 0; i < n; ++i)
+      triangle[first + static_cast<std::size_t>(i)] = packet.hit.primID[i];
   }
 }
 
@@ -296,7 +305,8 @@ void World::Impl::trace_single(const RayColumns& rays, std::uint32_t* triangle, 
 }
 
 void World::Impl::find_outline() const {
-  // Two triangles of one planar face that share an edge have it in opposite directions: such a pair is inside the face.
+  // Two triangles of one planar face that share an edge have it in opposite directions: such a pair
+  // is inside the face.
   using Key = std::tuple<std::int32_t, double, double, double, double, double, double>;
   const auto key = [](std::int32_t face, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     return Key(face, a.x(), a.y(), a.z(), b.x(), b.y(), b.z());
@@ -314,8 +324,8 @@ void World::Impl::find_outline() const {
     for (std::size_t c = 0; c < 3; ++c) {
       const Eigen::Vector3d& from = corners[3 * t + c];
       const Eigen::Vector3d& to = corners[3 * t + (c + 1) % 3];
-      if (planar[t] && std::binary_search(directed.begin(), directed.end(),
-                                          key(truth[t].face, to, from))) {
+      if (planar[t] &&
+          std::binary_search(directed.begin(), directed.end(), key(truth[t].face, to, from))) {
         continue;
       }
       outline.push_back({from, to});
@@ -326,7 +336,8 @@ void World::Impl::find_outline() const {
 World::World(const Scene& scene, const WorldOptions& options) : impl_(std::make_unique<Impl>()) {
   if (options.packet_width != 1 && options.packet_width != 4 && options.packet_width != 8 &&
       options.packet_width != 16) {
-    fail_usage("packet width " + std::to_string(options.packet_width) + " is none", "use 1, 4, 8 or 16");
+    fail_usage("packet width " + std::to_string(options.packet_width) + " is none",
+               "use 1, 4, 8 or 16");
   }
   impl_->scene = scene;
   impl_->options = options;
@@ -345,10 +356,18 @@ void World::trace(const RayColumns& rays, std::uint32_t* triangle, double* range
   const FlushDenormals flush;
   const auto tnear = static_cast<float>(minimum_range);
   switch (impl_->options.packet_width) {
-    case 1: impl_->trace_single(rays, triangle, tnear); break;
-    case 4: impl_->trace_packets<4>(rays, triangle, tnear); break;
-    case 8: impl_->trace_packets<8>(rays, triangle, tnear); break;
-    default: impl_->trace_packets<16>(rays, triangle, tnear); break;
+    case 1:
+      impl_->trace_single(rays, triangle, tnear);
+      break;
+    case 4:
+      impl_->trace_packets<4>(rays, triangle, tnear);
+      break;
+    case 8:
+      impl_->trace_packets<8>(rays, triangle, tnear);
+      break;
+    default:
+      impl_->trace_packets<16>(rays, triangle, tnear);
+      break;
   }
   for (std::size_t k = 0; k < rays.count; ++k) {
     range[k] = triangle[k] == no_hit
@@ -382,7 +401,9 @@ const std::vector<TriangleTruth>& World::triangles() const { return impl_->truth
 const Eigen::Vector3d& World::normal(std::uint32_t triangle) const {
   return impl_->surfaces[triangle].plane.normal;
 }
-const TrianglePlane& World::plane(std::uint32_t triangle) const { return impl_->surfaces[triangle].plane; }
+const TrianglePlane& World::plane(std::uint32_t triangle) const {
+  return impl_->surfaces[triangle].plane;
+}
 const std::vector<SurfaceRecord>& World::surfaces() const { return impl_->surfaces; }
 const Eigen::Vector3d& World::corner(std::uint32_t triangle, int index) const {
   return impl_->corners[3 * std::size_t{triangle} + static_cast<std::size_t>(index)];

@@ -1,5 +1,6 @@
-// CGAL's Efficient RANSAC (Schnabel, Wahl, Klein 2007). Epsilon 2 sigma, normals within cos 0.7, clusters of 8 cm.
-// The library draws from a global generator: it is seeded before preprocess(), or two runs differ.
+// CGAL's Efficient RANSAC (Schnabel, Wahl, Klein 2007). Epsilon 2 sigma, normals within cos 0.7,
+// clusters of 8 cm. The library draws from a global generator: it is seeded before preprocess(), or
+// two runs differ.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
@@ -27,7 +28,8 @@ using PlaneShape = CGAL::Shape_detection::Plane<Traits>;
 Labels cgal_efficient_ransac(const Points& points, const PeerOptions& options) {
   Cloud cloud;
   cloud.reserve(points.size());
-  for (const auto& p : points) cloud.emplace_back(Point(p[0], p[1], p[2]), Kernel::Vector_3(0, 0, 1));
+  for (const auto& p : points)
+    cloud.emplace_back(Point(p[0], p[1], p[2]), Kernel::Vector_3(0, 0, 1));
   CGAL::pca_estimate_normals<CGAL::Sequential_tag>(
       cloud, static_cast<unsigned>(options.neighbours),
       CGAL::parameters::point_map(PointMap()).normal_map(NormalMap()));

@@ -1,5 +1,6 @@
 // CGAL's region growing on a point set (Shape_detection package), with its own sorting of seeds.
-// Maximum distance 3 sigma, maximum angle 40 degrees, k = 20 for growing and 24 for normals: the best of twelve settings.
+// Maximum distance 3 sigma, maximum angle 40 degrees, k = 20 for growing and 24 for normals: the
+// best of twelve settings.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Point_set_3.h>
@@ -22,8 +23,11 @@ using PointMap = CGAL::First_of_pair_property_map<PointWithNormal>;
 using NormalMap = CGAL::Second_of_pair_property_map<PointWithNormal>;
 using Cloud = std::vector<PointWithNormal>;
 using Query = CGAL::Shape_detection::Point_set::K_neighbor_query<Kernel, Cloud, PointMap>;
-using Region = CGAL::Shape_detection::Point_set::Least_squares_plane_fit_region<Kernel, Cloud, PointMap, NormalMap>;
-using Sorting = CGAL::Shape_detection::Point_set::Least_squares_plane_fit_sorting<Kernel, Cloud, Query, PointMap>;
+using Region =
+    CGAL::Shape_detection::Point_set::Least_squares_plane_fit_region<Kernel, Cloud, PointMap,
+                                                                     NormalMap>;
+using Sorting = CGAL::Shape_detection::Point_set::Least_squares_plane_fit_sorting<Kernel, Cloud,
+                                                                                  Query, PointMap>;
 using Growing = CGAL::Shape_detection::Region_growing<Cloud, Query, Region, Sorting::Seed_map>;
 
 }  // namespace
@@ -31,7 +35,8 @@ using Growing = CGAL::Shape_detection::Region_growing<Cloud, Query, Region, Sort
 Labels cgal_region_growing(const Points& points, const PeerOptions& options) {
   Cloud cloud;
   cloud.reserve(points.size());
-  for (const auto& p : points) cloud.emplace_back(Point(p[0], p[1], p[2]), Kernel::Vector_3(0, 0, 1));
+  for (const auto& p : points)
+    cloud.emplace_back(Point(p[0], p[1], p[2]), Kernel::Vector_3(0, 0, 1));
   CGAL::pca_estimate_normals<CGAL::Sequential_tag>(
       cloud, static_cast<unsigned>(options.neighbours),
       CGAL::parameters::point_map(PointMap()).normal_map(NormalMap()));

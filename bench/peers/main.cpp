@@ -1,8 +1,10 @@
 // peers: the comparison table on any cloud, or on the reference room.
 //   peers                               the reference room, 100,000 points, 1 cm noise
 //   peers --seed 7 --sigma 0.02         another room, more noise
-//   peers SCAN --truth plane            a cloud with the plane of each point in the field "plane" (ids below --first are none)
-// Each method runs in a process of its own, so that its peak memory is its own: resident growth above the loaded cloud.
+//   peers SCAN --truth plane            a cloud with the plane of each point in the field "plane"
+//   (ids below --first are none)
+// Each method runs in a process of its own, so that its peak memory is its own: resident growth
+// above the loaded cloud.
 
 #include <fmt/core.h>
 #include <sys/resource.h>
@@ -39,7 +41,8 @@ struct Result {
 
 peers::Points positions(const PointCloud& cloud) {
   peers::Points points(cloud.size());
-  for (std::size_t i = 0; i < cloud.size(); ++i) points[i] = {cloud.points[i].x(), cloud.points[i].y(), cloud.points[i].z()};
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    points[i] = {cloud.points[i].x(), cloud.points[i].y(), cloud.points[i].z()};
   return points;
 }
 
@@ -56,7 +59,9 @@ Method ours(const std::string& method, bool told) {
 
 template <class Peer>
 Method theirs(const std::string& name, Peer peer) {
-  return {name, [peer](const PointCloud& cloud, const peers::PeerOptions& options) { return peer(positions(cloud), options); }};
+  return {name, [peer](const PointCloud& cloud, const peers::PeerOptions& options) {
+            return peer(positions(cloud), options);
+          }};
 }
 
 double peak_megabytes() {
@@ -79,13 +84,14 @@ double resident_megabytes() {
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1048576.0;
 }
 
-Result measure(const Method& method, const PointCloud& cloud, const std::vector<std::int32_t>& truth,
-               const peers::PeerOptions& options) {
+Result measure(const Method& method, const PointCloud& cloud,
+               const std::vector<std::int32_t>& truth, const peers::PeerOptions& options) {
   Result result;
   const double before_mb = resident_megabytes(), before_cpu = cpu_ms();
   const auto before = std::chrono::steady_clock::now();
   const auto labels = method.run(cloud, options);
-  result.wall_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
+  result.wall_ms =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
   result.cpu_ms = cpu_ms() - before_cpu;
   result.megabytes = std::max(0.0, peak_megabytes() - before_mb);
   if (!truth.empty()) result.score = support::score_planes(truth, labels, 0.8, truth.size() / 2000);
@@ -94,9 +100,11 @@ Result measure(const Method& method, const PointCloud& cloud, const std::vector<
 
 void print_row(const std::string& name, const Result& r) {
   const auto& s = r.score;
-  fmt::print("{:<32} {:>8.0f} {:>8.0f} {:>7.1f} {:>4}/{:<4} {:>5} {:>6} {:>7} {:>6} {:>8.3f} {:>7.3f} {:>8.3f}\n", name, r.cpu_ms,
-             r.wall_ms, r.megabytes, s.correct, s.planes, s.over, s.under, s.missed, s.spurious, s.precision, s.recall,
-             s.small_recall);
+  fmt::print(
+      "{:<32} {:>8.0f} {:>8.0f} {:>7.1f} {:>4}/{:<4} {:>5} {:>6} {:>7} {:>6} {:>8.3f} {:>7.3f} "
+      "{:>8.3f}\n",
+      name, r.cpu_ms, r.wall_ms, r.megabytes, s.correct, s.planes, s.over, s.under, s.missed,
+      s.spurious, s.precision, s.recall, s.small_recall);
   std::fflush(stdout);
 }
 
@@ -113,7 +121,8 @@ int run(int argc, char** argv) {
   app.add_option("--seed", seed, "of the reference room; 0: the furniture of the design");
   app.add_option("--beams", grid.beams, "beams of a line");
   app.add_option("--lines", grid.lines, "lines of the sweep");
-  app.add_option("--sigma", options.sigma, "[m] range noise: of the scan, and what the methods are told");
+  app.add_option("--sigma", options.sigma,
+                 "[m] range noise: of the scan, and what the methods are told");
   app.add_option("--neighbours", options.neighbours, "k of the peers' normals");
   app.add_option("--only", only, "methods whose name contains this");
   CLI11_PARSE(app, argc, argv);
@@ -123,7 +132,8 @@ int run(int argc, char** argv) {
   if (file.empty()) {
     grid.range_sigma = options.sigma;
     grid.seed = seed + 1;
-    const auto scan = support::shuffled(support::scan_boxes(support::reference_room(seed), grid), 7);
+    const auto scan =
+        support::shuffled(support::scan_boxes(support::reference_room(seed), grid), 7);
     cloud = scan.cloud;
     truth = scan.plane;
   } else {
@@ -148,8 +158,9 @@ int run(int argc, char** argv) {
 #endif
   };
   fmt::print("{} points, one thread\n", cloud.size());
-  fmt::print("{:<32} {:>8} {:>8} {:>7} {:>9} {:>5} {:>6} {:>7} {:>6} {:>8} {:>7} {:>8}\n", "method", "CPU ms", "wall ms", "MB",
-             "correct", "over", "under", "missed", "spur.", "adjPrec", "adjRec", "smallRec");
+  fmt::print("{:<32} {:>8} {:>8} {:>7} {:>9} {:>5} {:>6} {:>7} {:>6} {:>8} {:>7} {:>8}\n", "method",
+             "CPU ms", "wall ms", "MB", "correct", "over", "under", "missed", "spur.", "adjPrec",
+             "adjRec", "smallRec");
   std::fflush(stdout);
   for (const auto& method : methods) {
     if (method.name.find(only) == std::string::npos) continue;

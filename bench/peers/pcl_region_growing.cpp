@@ -1,4 +1,5 @@
-// PCL's region growing: normals of k neighbours, smoothness 8 degrees, curvature 0.1: the best of a sweep around the tutorial's values.
+// PCL's region growing: normals of k neighbours, smoothness 8 degrees, curvature 0.1: the best of a
+// sweep around the tutorial's values.
 
 #include <pcl/features/normal_3d.h>
 #include <pcl/point_types.h>
@@ -13,7 +14,8 @@ Labels pcl_region_growing(const Points& points, const PeerOptions& options) {
   using Cloud = pcl::PointCloud<pcl::PointXYZ>;
   const Cloud::Ptr cloud(new Cloud);
   for (const auto& p : points) {
-    cloud->push_back({static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])});
+    cloud->push_back(
+        {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])});
   }
   const pcl::search::KdTree<pcl::PointXYZ>::Ptr tree(new pcl::search::KdTree<pcl::PointXYZ>);
   const pcl::PointCloud<pcl::Normal>::Ptr normals(new pcl::PointCloud<pcl::Normal>);
@@ -34,7 +36,8 @@ Labels pcl_region_growing(const Points& points, const PeerOptions& options) {
   growing.extract(clusters);
   Labels labels(points.size(), -1);
   for (std::size_t r = 0; r < clusters.size(); ++r) {
-    for (const auto i : clusters[r].indices) labels[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(r);
+    for (const auto i : clusters[r].indices)
+      labels[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(r);
   }
   return labels;
 }

@@ -1,5 +1,6 @@
 #pragma once
-// Other people's plane finders behind one interface, so that anyone can print the comparison on their own clouds.
+// Other people's plane finders behind one interface, so that anyone can print the comparison on
+// their own clouds.
 
 #include <array>
 #include <cstdint>
@@ -8,12 +9,13 @@
 
 namespace scanchor::peers {
 
-/// What a peer is told. The libraries derive nothing from the data, so the numbers they need come from here; each peer's source
-/// says how it uses them. The defaults are the best of a sweep on the reference room at 100,000 points and 1 cm noise.
+/// What a peer is told. The libraries derive nothing from the data, so the numbers they need come
+/// from here; each peer's source says how it uses them. The defaults are the best of a sweep on the
+/// reference room at 100,000 points and 1 cm noise.
 struct PeerOptions {
-  double sigma = 0.01;      ///< [m] range noise
-  int neighbours = 24;      ///< of the normal estimation
-  std::size_t minimum = 20; ///< points of a region
+  double sigma = 0.01;       ///< [m] range noise
+  int neighbours = 24;       ///< of the normal estimation
+  std::size_t minimum = 20;  ///< points of a region
 };
 
 using Points = std::vector<std::array<double, 3>>;

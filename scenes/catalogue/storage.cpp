@@ -1,4 +1,5 @@
-// Shelves, cabinets, drawers. Sizes are the series that makers sell; see docs/reference/furniture.md.
+// Shelves, cabinets, drawers. Sizes are the series that makers sell; see
+// docs/reference/furniture.md.
 
 #include <algorithm>
 
@@ -8,7 +9,8 @@ namespace scanchor {
 namespace {
 
 /// Doors in front of a carcass: `columns` x 1 leaves with seams of 3 mm, and a bar handle each.
-void doors(Maker& m, int front, int metal, double width, double y, double z0, double z1, int columns) {
+void doors(Maker& m, int front, int metal, double width, double y, double z0, double z1,
+           int columns) {
   const double seam = 0.003;
   const double leaf = width / columns;
   for (int i = 0; i < columns; ++i) {
@@ -19,35 +21,41 @@ void doors(Maker& m, int front, int metal, double width, double y, double z0, do
     const bool hinge_left = i % 2 == 0;
     const double hx = hinge_left ? x1 - 0.05 : x0 + 0.05;
     const double hz = 0.5 * (z0 + z1);
-    m.box("handle " + number, metal, {hx - 0.006, y - 0.045, hz - 0.064}, {hx + 0.006, y - 0.018 + joint, hz + 0.064});
+    m.box("handle " + number, metal, {hx - 0.006, y - 0.045, hz - 0.064},
+          {hx + 0.006, y - 0.018 + joint, hz + 0.064});
   }
 }
 
 /// Drawer fronts one above the other.
-void drawers(Maker& m, int front, int metal, double width, double y, double z0, double z1, int rows) {
+void drawers(Maker& m, int front, int metal, double width, double y, double z0, double z1,
+             int rows) {
   const double seam = 0.003;
   const double row = (z1 - z0) / rows;
   for (int i = 0; i < rows; ++i) {
     const std::string number = std::to_string(i + 1);
     const double a = z0 + row * i + seam;
     const double b = a + row - 2 * seam;
-    m.box("drawer " + number, front, {-0.5 * width + seam, y - 0.018, a}, {0.5 * width - seam, y + joint, b});
-    m.box("handle " + number, metal, {-0.064, y - 0.04, b - 0.04}, {0.064, y - 0.018 + joint, b - 0.028});
+    m.box("drawer " + number, front, {-0.5 * width + seam, y - 0.018, a},
+          {0.5 * width - seam, y + joint, b});
+    m.box("handle " + number, metal, {-0.064, y - 0.04, b - 0.04},
+          {0.064, y - 0.018 + joint, b - 0.028});
   }
 }
 
-/// Sides, boards and perhaps a back. Boards are let into the sides and stand back from their front edges. Returns the tops of the
-/// boards, from below.
-std::vector<double> rack(Maker& m, int wood, double width, double depth, double height, int boards, double t,
-                         bool with_back) {
+/// Sides, boards and perhaps a back. Boards are let into the sides and stand back from their front
+/// edges. Returns the tops of the boards, from below.
+std::vector<double> rack(Maker& m, int wood, double width, double depth, double height, int boards,
+                         double t, bool with_back) {
   for (const double s : {-1.0, 1.0}) {
     const double x = s * 0.5 * (width - t);
-    m.box(s < 0 ? "left side" : "right side", wood, {x - 0.5 * t, -0.5 * depth, glide}, {x + 0.5 * t, 0.5 * depth, height});
+    m.box(s < 0 ? "left side" : "right side", wood, {x - 0.5 * t, -0.5 * depth, glide},
+          {x + 0.5 * t, 0.5 * depth, height});
   }
   const double reach = 0.5 * width - t + joint;
   const double back = 0.5 * depth - 0.012;
   if (with_back) {
-    m.box("back", wood, {-reach - joint, back, 0.05}, {reach + joint, back + 0.006, height - 0.012});
+    m.box("back", wood, {-reach - joint, back, 0.05},
+          {reach + joint, back + 0.006, height - 0.012});
   }
   std::vector<double> tops;
   const double lowest = 0.07 + t;
@@ -79,12 +87,14 @@ void make_shelf(Maker& m) {
       for (const double sx : {-1.0, 1.0}) {
         const double x = sx * 0.5 * (width - s);
         const double y = sy * 0.5 * (depth - s);
-        m.box("post " + std::to_string(++number), post, {x - 0.5 * s, y - 0.5 * s, glide}, {x + 0.5 * s, y + 0.5 * s, height + 0.03});
+        m.box("post " + std::to_string(++number), post, {x - 0.5 * s, y - 0.5 * s, glide},
+              {x + 0.5 * s, y + 0.5 * s, height + 0.03});
       }
     }
     for (int i = 0; i < boards; ++i) {
       const double z = 0.07 + t + (height - 0.076 - t) * i / std::max(1, boards - 1);
-      m.box("board " + std::to_string(i + 1), board, {-0.5 * width + 0.006, -0.5 * depth + 0.006, z - t},
+      m.box("board " + std::to_string(i + 1), board,
+            {-0.5 * width + 0.006, -0.5 * depth + 0.006, z - t},
             {0.5 * width - 0.006, 0.5 * depth - 0.006, z});
     }
     return;
@@ -101,22 +111,27 @@ void make_bookcase(Maker& m) {
   const int wood = m.material({"beech", "oak", "melamine white", "walnut"});
   const double t = 0.02;
   const auto tops = rack(m, wood, width, depth, height, boards, t, true);
-  const int covers[] = {m.material({"book red"}), m.material({"book green"}), m.material({"book blue"}), m.material({"paper"})};
+  const int covers[] = {m.material({"book red"}), m.material({"book green"}),
+                        m.material({"book blue"}), m.material({"paper"})};
   const double inner = 0.5 * width - t - 0.003;
   int books = 0;
   for (std::size_t i = 0; i + 1 < tops.size(); ++i) {
     const double room = tops[i + 1] - t - tops[i] - 0.02;
     const double end = -inner + 2 * inner * m.random.uniform(0.3, 1.0);
     double x = -inner;
-    // A pack of like volumes stands as one block: 0.1 to 0.3 m of spines, each pack of another height and depth.
+    // A pack of like volumes stands as one block: 0.1 to 0.3 m of spines, each pack of another
+    // height and depth.
     while (books < 40) {
-      const double thick = m.is("binders") ? m.random.uniform(0.16, 0.32) : m.random.uniform(0.05, 0.2);
+      const double thick =
+          m.is("binders") ? m.random.uniform(0.16, 0.32) : m.random.uniform(0.05, 0.2);
       if (x + thick > end) break;
-      const double tall = m.is("binders") ? std::min(room, 0.318) : std::min(room, m.random.uniform(0.18, 0.30));
+      const double tall =
+          m.is("binders") ? std::min(room, 0.318) : std::min(room, m.random.uniform(0.18, 0.30));
       const double deep = m.is("binders") ? 0.285 : m.random.uniform(0.13, 0.24);
       const double y1 = 0.5 * depth - 0.012 - 0.004;
       m.box("books " + std::to_string(++books), covers[m.random.below(4)],
-            {x, std::max(-0.5 * depth + 0.01, y1 - deep), tops[i] + glide}, {x + thick, y1, tops[i] + glide + tall});
+            {x, std::max(-0.5 * depth + 0.01, y1 - deep), tops[i] + glide},
+            {x + thick, y1, tops[i] + glide + tall});
       x += thick + 0.003;
     }
   }
@@ -128,17 +143,20 @@ void make_cabinet(Maker& m) {
   const double width = m.series("width", {0.8, 0.8, 1.0, 1.2});
   const double depth = m.series("depth", {0.4, 0.42, 0.45});
   // Ordner heights: 2, 3, 5 or 6 rows of A4 binders.
-  const double height = tall ? m.series("height", {1.85, 1.95, 2.1}) : m.series("height", {0.75, 0.82, 1.1, 1.15});
+  const double height =
+      tall ? m.series("height", {1.85, 1.95, 2.1}) : m.series("height", {0.75, 0.82, 1.1, 1.15});
   const int body = m.material({"melamine white", "melamine grey", "beech", "oak"});
   const int front = m.material({"melamine white", "melamine grey", "beech", "oak", "paint blue"});
   const int metal = m.material({"aluminium", "plastic black"});
   const double y = -0.5 * depth + 0.018;
-  m.box("plinth", body, {-0.5 * width + 0.01, y + 0.02, glide}, {0.5 * width - 0.01, 0.5 * depth - 0.01, 0.06 + joint});
+  m.box("plinth", body, {-0.5 * width + 0.01, y + 0.02, glide},
+        {0.5 * width - 0.01, 0.5 * depth - 0.01, 0.06 + joint});
   m.box("body", body, {-0.5 * width, y, 0.06}, {0.5 * width, 0.5 * depth, height});
   if (m.is("sliding doors")) {
     const double half = 0.5 * width;
     m.box("door 1", front, {-half + 0.004, y - 0.018, 0.066}, {0.04, y + joint, height - 0.006});
-    m.box("door 2", front, {0.0 - 0.02, y - 0.033, 0.07}, {half - 0.004, y - 0.015 - 0.001, height - 0.01});
+    m.box("door 2", front, {0.0 - 0.02, y - 0.033, 0.07},
+          {half - 0.004, y - 0.015 - 0.001, height - 0.01});
     return;
   }
   doors(m, front, metal, width, y, 0.064, height - 0.004, 2);
@@ -162,8 +180,10 @@ void make_drawer_unit(Maker& m) {
       const double cy = sy * (0.5 * depth - 0.07);
       const std::string name = (rolls ? "castor " : "glide ") + std::to_string(++number);
       if (rolls) {
-        m.add(cylinder_part(name, metal, {x - 0.012, cy, 0.026 + glide}, {x + 0.012, cy, 0.026 + glide}, 0.026, 12));
-        m.box("fork " + std::to_string(number), metal, {x - 0.016, cy - 0.01, 0.03}, {x + 0.016, cy + 0.01, z});
+        m.add(cylinder_part(name, metal, {x - 0.012, cy, 0.026 + glide},
+                            {x + 0.012, cy, 0.026 + glide}, 0.026, 12));
+        m.box("fork " + std::to_string(number), metal, {x - 0.016, cy - 0.01, 0.03},
+              {x + 0.016, cy + 0.01, z});
       } else {
         m.box(name, metal, {x - 0.015, cy - 0.015, glide}, {x + 0.015, cy + 0.015, z});
       }
@@ -178,15 +198,20 @@ void make_wardrobe(Maker& m) {
   const double depth = m.series("depth", {0.58, 0.6, 0.65});
   const double height = m.size("height", 2.0, 0.08, 1.8, 2.3);
   const int body = m.material({"melamine white", "beech", "oak", "walnut"});
-  const int front = m.is("mirror door") ? m.material({"mirror"}) : m.material({"melamine white", "beech", "oak"});
+  const int front =
+      m.is("mirror door") ? m.material({"mirror"}) : m.material({"melamine white", "beech", "oak"});
   const int metal = m.material({"aluminium", "steel painted"});
   const double y = -0.5 * depth + 0.02;
-  m.box("plinth", body, {-0.5 * width + 0.01, y + 0.02, glide}, {0.5 * width - 0.01, 0.5 * depth - 0.01, 0.06 + joint});
+  m.box("plinth", body, {-0.5 * width + 0.01, y + 0.02, glide},
+        {0.5 * width - 0.01, 0.5 * depth - 0.01, 0.06 + joint});
   m.box("body", body, {-0.5 * width, y, 0.06}, {0.5 * width, 0.5 * depth, height});
   if (m.is("sliding doors")) {
-    m.box("door 1", front, {-0.5 * width + 0.004, y - 0.018, 0.066}, {0.05, y + joint, height - 0.006});
-    m.box("door 2", front, {-0.03, y - 0.038, 0.07}, {0.5 * width - 0.004, y - 0.02, height - 0.01});
-    m.box("rail", metal, {-0.5 * width + 0.01, y - 0.03, height - 0.05}, {0.5 * width - 0.01, y - 0.008, height - 0.0085});
+    m.box("door 1", front, {-0.5 * width + 0.004, y - 0.018, 0.066},
+          {0.05, y + joint, height - 0.006});
+    m.box("door 2", front, {-0.03, y - 0.038, 0.07},
+          {0.5 * width - 0.004, y - 0.02, height - 0.01});
+    m.box("rail", metal, {-0.5 * width + 0.01, y - 0.03, height - 0.05},
+          {0.5 * width - 0.01, y - 0.008, height - 0.0085});
     return;
   }
   doors(m, front, metal, width, y, 0.064, height - 0.004, leaves);
@@ -197,11 +222,25 @@ void make_wardrobe(Maker& m) {
 std::vector<CatalogueEntry> storage_entries() {
   const auto id = [](const char* name) { return *find_class(name); };
   return {
-      {{"shelf", id("shelf"), {"open", "with sides", "with back"}, Place::floor, false, 300}, make_shelf},
+      {{"shelf", id("shelf"), {"open", "with sides", "with back"}, Place::floor, false, 300},
+       make_shelf},
       {{"bookcase", id("bookcase"), {"books", "binders"}, Place::floor, false, 400}, make_bookcase},
-      {{"cabinet", id("cabinet"), {"low", "tall", "sliding doors"}, Place::floor, false, 200}, make_cabinet},
-      {{"drawer unit", id("drawer unit"), {"on castors", "on glides", "tall"}, Place::floor, false, 250}, make_drawer_unit},
-      {{"wardrobe", id("wardrobe"), {"doors", "sliding doors", "mirror door"}, Place::floor, false, 150}, make_wardrobe},
+      {{"cabinet", id("cabinet"), {"low", "tall", "sliding doors"}, Place::floor, false, 200},
+       make_cabinet},
+      {{"drawer unit",
+        id("drawer unit"),
+        {"on castors", "on glides", "tall"},
+        Place::floor,
+        false,
+        250},
+       make_drawer_unit},
+      {{"wardrobe",
+        id("wardrobe"),
+        {"doors", "sliding doors", "mirror door"},
+        Place::floor,
+        false,
+        150},
+       make_wardrobe},
   };
 }
 

@@ -1,4 +1,5 @@
-// Desks and tables. Heights and tops: EN 527-1 (office desks), EN 15372 (tables); see docs/reference/furniture.md.
+// Desks and tables. Heights and tops: EN 527-1 (office desks), EN 15372 (tables); see
+// docs/reference/furniture.md.
 
 #include "scenes/catalogue/maker.hpp"
 
@@ -11,7 +12,8 @@ void top_board(Maker& m, int material, double width, double depth, double h, dou
 }
 
 /// Square legs of side `side` in the corners, `inset` from the edges.
-void corner_legs(Maker& m, int material, double width, double depth, double top, double side, double inset) {
+void corner_legs(Maker& m, int material, double width, double depth, double top, double side,
+                 double inset) {
   int number = 0;
   for (const double sy : {-1.0, 1.0}) {
     for (const double sx : {-1.0, 1.0}) {
@@ -24,7 +26,8 @@ void corner_legs(Maker& m, int material, double width, double depth, double top,
 }
 
 /// Rails below the top between corner legs, thinner than the legs.
-void rails(Maker& m, int material, double width, double depth, double top, double side, double inset) {
+void rails(Maker& m, int material, double width, double depth, double top, double side,
+           double inset) {
   const double thick = 0.5 * side;
   const double y = 0.5 * depth - inset - 0.5 * side;
   const double x = 0.5 * width - inset - 0.5 * side;
@@ -48,7 +51,8 @@ void panel_legs(Maker& m, int material, double width, double depth, double top) 
           {x + 0.5 * t, 0.5 * depth - 0.03, top + 2 * joint});
   }
   const double reach = 0.5 * width - 0.02 - t + joint;
-  m.box("modesty panel", material, {-reach, 0.5 * depth - 0.12, 0.3}, {reach, 0.5 * depth - 0.1, top + joint});
+  m.box("modesty panel", material, {-reach, 0.5 * depth - 0.12, 0.3},
+        {reach, 0.5 * depth - 0.1, top + joint});
 }
 
 /// Two lifting columns on T feet.
@@ -56,8 +60,10 @@ void lifting_columns(Maker& m, int material, double width, double depth, double 
   for (const double s : {-1.0, 1.0}) {
     const std::string side = s < 0 ? "left " : "right ";
     const double x = s * (0.5 * width - 0.25);
-    m.box(side + "foot", material, {x - 0.04, -0.5 * depth + 0.05, glide}, {x + 0.04, 0.5 * depth - 0.05, 0.035});
-    m.box(side + "column", material, {x - 0.03, -0.02, 0.035 - joint}, {x + 0.03, 0.06, 0.56 * top});
+    m.box(side + "foot", material, {x - 0.04, -0.5 * depth + 0.05, glide},
+          {x + 0.04, 0.5 * depth - 0.05, 0.035});
+    m.box(side + "column", material, {x - 0.03, -0.02, 0.035 - joint},
+          {x + 0.03, 0.06, 0.56 * top});
     m.box(side + "inner column", material, {x - 0.025, -0.015, 0.56 * top - joint},
           {x + 0.025, 0.055, top + 2 * joint});
   }
@@ -88,9 +94,9 @@ void make_desk(Maker& m) {
     const double wing = 0.6;
     const double x0 = -0.5 * width;
     const double y0 = -0.5 * depth;
-    const std::vector<Eigen::Vector2d> outline = {
-        {x0, y0 - reach},     {x0 + wing, y0 - reach}, {x0 + wing, y0},
-        {0.5 * width, y0},    {0.5 * width, -y0},      {x0, -y0}};
+    const std::vector<Eigen::Vector2d> outline = {{x0, y0 - reach},   {x0 + wing, y0 - reach},
+                                                  {x0 + wing, y0},    {0.5 * width, y0},
+                                                  {0.5 * width, -y0}, {x0, -y0}};
     m.add(prism_part("top", wood, outline, top, height));
     const double s = 0.05;
     const std::vector<Eigen::Vector2d> legs = {{x0 + 0.06, y0 - reach + 0.06},
@@ -99,7 +105,8 @@ void make_desk(Maker& m) {
                                                {0.5 * width - 0.06, -y0 - 0.06},
                                                {x0 + 0.06, -y0 - 0.06}};
     for (std::size_t i = 0; i < legs.size(); ++i) {
-      m.box("leg " + std::to_string(i + 1), metal, {legs[i].x() - 0.5 * s, legs[i].y() - 0.5 * s, glide},
+      m.box("leg " + std::to_string(i + 1), metal,
+            {legs[i].x() - 0.5 * s, legs[i].y() - 0.5 * s, glide},
             {legs[i].x() + 0.5 * s, legs[i].y() + 0.5 * s, top + 2 * joint});
     }
   } else {
@@ -120,7 +127,8 @@ void make_table(Maker& m) {
     const int metal = m.material({"steel painted", "aluminium", "chrome"});
     m.add(lathe_part("top", wood, {{0.5 * diameter, top}, {0.5 * diameter, height}}, 32));
     m.add(lathe_part("column", metal, {{0.04, 0.02}, {0.04, top + joint}}, 16));
-    m.add(lathe_part("foot", metal, {{0.28 * diameter, glide}, {0.28 * diameter, 0.012}, {0.05, 0.03}}, 24));
+    m.add(lathe_part("foot", metal,
+                     {{0.28 * diameter, glide}, {0.28 * diameter, 0.012}, {0.05, 0.03}}, 24));
     return;
   }
   const double width = m.series("width", {1.2, 1.4, 1.6, 1.8, 2.0});
@@ -130,12 +138,14 @@ void make_table(Maker& m) {
     for (const double s : {-1.0, 1.0}) {
       const std::string side = s < 0 ? "left " : "right ";
       const double x = s * (0.5 * width - 0.3);
-      m.box(side + "beam", wood, {x - 0.03, -0.5 * depth + 0.06, top - 0.05}, {x + 0.03, 0.5 * depth - 0.06, top + joint});
+      m.box(side + "beam", wood, {x - 0.03, -0.5 * depth + 0.06, top - 0.05},
+            {x + 0.03, 0.5 * depth - 0.06, top + joint});
       int leg = 0;
       for (const double sy : {-1.0, 1.0}) {
         for (const double tilt : {-1.0, 1.0}) {
           const Eigen::Vector3d head(x + tilt * 0.012, sy * (0.5 * depth - 0.12), top - 0.02);
-          m.leg(side + "leg " + std::to_string(++leg), wood, x + tilt * 0.13, sy * (0.5 * depth - 0.10), head, 0.018);
+          m.leg(side + "leg " + std::to_string(++leg), wood, x + tilt * 0.13,
+                sy * (0.5 * depth - 0.10), head, 0.018);
         }
       }
     }
@@ -157,9 +167,14 @@ void make_meeting_table(Maker& m) {
   if (m.is("boat shape")) {
     const double narrow = 0.4 * depth;
     m.add(prism_part("top", wood,
-                     {{-0.5 * width, -narrow}, {-0.2 * width, -0.5 * depth}, {0.2 * width, -0.5 * depth},
-                      {0.5 * width, -narrow}, {0.5 * width, narrow}, {0.2 * width, 0.5 * depth},
-                      {-0.2 * width, 0.5 * depth}, {-0.5 * width, narrow}},
+                     {{-0.5 * width, -narrow},
+                      {-0.2 * width, -0.5 * depth},
+                      {0.2 * width, -0.5 * depth},
+                      {0.5 * width, -narrow},
+                      {0.5 * width, narrow},
+                      {0.2 * width, 0.5 * depth},
+                      {-0.2 * width, 0.5 * depth},
+                      {-0.5 * width, narrow}},
                      top, height));
   } else {
     top_board(m, wood, width, depth, height, thick);
@@ -172,8 +187,10 @@ void make_meeting_table(Maker& m) {
   for (int i = 0; i < stands; ++i) {
     const double x = (i - 0.5 * (stands - 1)) * (width - 1.0) / (stands - 1);
     const std::string number = std::to_string(i + 1);
-    m.box("foot " + number, metal, {x - 0.05, -0.35 * depth, glide}, {x + 0.05, 0.35 * depth, 0.03});
-    m.box("column " + number, metal, {x - 0.04, -0.12, 0.03 - joint}, {x + 0.04, 0.12, top + joint});
+    m.box("foot " + number, metal, {x - 0.05, -0.35 * depth, glide},
+          {x + 0.05, 0.35 * depth, 0.03});
+    m.box("column " + number, metal, {x - 0.04, -0.12, 0.03 - joint},
+          {x + 0.04, 0.12, top + joint});
   }
 }
 
@@ -182,11 +199,14 @@ void make_coffee_table(Maker& m) {
   const double height = m.size("height", 0.43, 0.04, 0.32, 0.52);
   if (m.is("round")) {
     const double diameter = m.series("diameter", {0.6, 0.7, 0.8, 0.9});
-    m.add(lathe_part("top", wood, {{0.5 * diameter, height - 0.022}, {0.5 * diameter, height}}, 28));
+    m.add(
+        lathe_part("top", wood, {{0.5 * diameter, height - 0.022}, {0.5 * diameter, height}}, 28));
     for (int i = 0; i < 3; ++i) {
       const SinCos sc = portable_sincos(2.0 * pi * i / 3.0 + 0.5);
-      const Eigen::Vector3d head(0.28 * diameter * sc.cos, 0.28 * diameter * sc.sin, height - 0.022 + joint);
-      m.leg("leg " + std::to_string(i + 1), wood, 0.40 * diameter * sc.cos, 0.40 * diameter * sc.sin, head, 0.016);
+      const Eigen::Vector3d head(0.28 * diameter * sc.cos, 0.28 * diameter * sc.sin,
+                                 height - 0.022 + joint);
+      m.leg("leg " + std::to_string(i + 1), wood, 0.40 * diameter * sc.cos,
+            0.40 * diameter * sc.sin, head, 0.016);
     }
     return;
   }
@@ -214,10 +234,12 @@ void make_workbench(Maker& m) {
   if (m.is("with shelf")) {
     m.box("lower board", wood, {-x, -0.5 * depth + 0.10, 0.2}, {x, 0.5 * depth - 0.04, 0.22});
   } else if (m.is("with drawers")) {
-    m.box("drawer box", metal, {x - 0.5, -0.5 * depth + 0.05, top - 0.45}, {x + joint, 0.5 * depth - 0.1, top - joint * 2});
+    m.box("drawer box", metal, {x - 0.5, -0.5 * depth + 0.05, top - 0.45},
+          {x + joint, 0.5 * depth - 0.1, top - joint * 2});
     for (int i = 0; i < 3; ++i) {
       const double z = top - 0.445 + 0.145 * i;
-      m.box("drawer " + std::to_string(i + 1), metal, {x - 0.49, -0.5 * depth + 0.032, z}, {x - 0.012, -0.5 * depth + 0.05 + joint, z + 0.14});
+      m.box("drawer " + std::to_string(i + 1), metal, {x - 0.49, -0.5 * depth + 0.032, z},
+            {x - 0.012, -0.5 * depth + 0.05 + joint, z + 0.14});
     }
   }
 }
@@ -227,11 +249,41 @@ void make_workbench(Maker& m) {
 std::vector<CatalogueEntry> table_entries() {
   const auto id = [](const char* name) { return *find_class(name); };
   return {
-      {{"desk", id("desk"), {"four legs", "panel legs", "L-shape", "height-adjustable"}, Place::floor, false, 600}, make_desk},
-      {{"table", id("table"), {"four legs", "trestles", "round pedestal"}, Place::floor, false, 600}, make_table},
-      {{"meeting table", id("meeting table"), {"columns", "four legs", "boat shape"}, Place::floor, false, 600}, make_meeting_table},
-      {{"coffee table", id("coffee table"), {"four legs", "with tray", "round"}, Place::floor, false, 600}, make_coffee_table},
-      {{"workbench", id("workbench"), {"plain", "with shelf", "with drawers"}, Place::floor, false, 700}, make_workbench},
+      {{"desk",
+        id("desk"),
+        {"four legs", "panel legs", "L-shape", "height-adjustable"},
+        Place::floor,
+        false,
+        600},
+       make_desk},
+      {{"table",
+        id("table"),
+        {"four legs", "trestles", "round pedestal"},
+        Place::floor,
+        false,
+        600},
+       make_table},
+      {{"meeting table",
+        id("meeting table"),
+        {"columns", "four legs", "boat shape"},
+        Place::floor,
+        false,
+        600},
+       make_meeting_table},
+      {{"coffee table",
+        id("coffee table"),
+        {"four legs", "with tray", "round"},
+        Place::floor,
+        false,
+        600},
+       make_coffee_table},
+      {{"workbench",
+        id("workbench"),
+        {"plain", "with shelf", "with drawers"},
+        Place::floor,
+        false,
+        700},
+       make_workbench},
   };
 }
 

@@ -19,10 +19,13 @@ RoomPlan plan_corridor(Scene& scene, SequentialRandom& random, const RoomOptions
   RoomPlan plan = plan_room(random, options, {8.0, 1.8}, {14.0, 2.6}, 2.4, 3.0);
   const double length = side_length(plan.shell, Side::south);
   // Doors of the rooms on both sides turn into those rooms; the way in is at the western end.
-  add_door(scene, plan, random, Side::west, 0.5 * side_length(plan.shell, Side::west), "closed", true);
+  add_door(scene, plan, random, Side::west, 0.5 * side_length(plan.shell, Side::west), "closed",
+           true);
   for (const Side side : {Side::south, Side::north}) {
     const int doors = std::max(1, static_cast<int>(length / random.uniform(2.6, 4.5)));
-    for (int i = 0; i < doors; ++i) add_door(scene, plan, random, side, length * (i + 0.5) / doors + random.uniform(-0.2, 0.2), "", true);
+    for (int i = 0; i < doors; ++i)
+      add_door(scene, plan, random, side, length * (i + 0.5) / doors + random.uniform(-0.2, 0.2),
+               "", true);
   }
   plan.door_side = Side::south;
   return plan;
@@ -37,13 +40,17 @@ bool furnish_corridor(Placer& placer, const RoomPlan& plan) {
   }
   const std::vector<Side> sides = {Side::north, Side::south};
   if (random.chance(0.6)) {
-    if (const auto cabinet = placer.put_at_some_wall(placer.make("cabinet", "low"), sides, 0.3)) load_surfaces(placer, *cabinet, {"box", "book", "printer"}, 0.5 * clutter);
+    if (const auto cabinet = placer.put_at_some_wall(placer.make("cabinet", "low"), sides, 0.3))
+      load_surfaces(placer, *cabinet, {"box", "book", "printer"}, 0.5 * clutter);
   }
   if (random.chance(0.3)) placer.put_at_some_wall(placer.make("bookcase"), sides, 0.3);
-  if (random.chance(0.4)) placer.put_at_some_wall(placer.make("stool", "four legs"), {Side::east, Side::north}, 0.2);
+  if (random.chance(0.4))
+    placer.put_at_some_wall(placer.make("stool", "four legs"), {Side::east, Side::north}, 0.2);
   for (int i = 0; i < 3; ++i) hang_up(placer, "picture", "", sides, 1.35);
   if (random.chance(0.5)) hang_up(placer, "whiteboard", "plain", sides, 0.95);
-  if (random.chance(0.5)) placer.put_at_some_wall(placer.make("plant", "stalk"), {Side::east, Side::north, Side::south}, 0.0);
+  if (random.chance(0.5))
+    placer.put_at_some_wall(placer.make("plant", "stalk"), {Side::east, Side::north, Side::south},
+                            0.0);
   if (random.chance(0.4)) placer.put_somewhere(placer.make("trolley"));
   if (random.chance(0.3)) placer.put_somewhere(placer.make("mannequin", "walking"));
   ceiling_lamps(placer, 3);
@@ -56,8 +63,9 @@ bool build_floor(Scene& scene, SequentialRandom& random, const RoomOptions& opti
     Furnish furnish;
     double least_width, least_depth;
   };
-  static constexpr RoomType types[] = {{furnish_office, 4.2, 4.0},  {furnish_office, 4.2, 4.0},     {furnish_meeting, 5.2, 4.4},
-                                       {furnish_kitchen, 4.0, 3.6}, {furnish_laboratory, 6.0, 5.0}, {furnish_office, 4.8, 4.4}};
+  static constexpr RoomType types[] = {{furnish_office, 4.2, 4.0},     {furnish_office, 4.2, 4.0},
+                                       {furnish_meeting, 5.2, 4.4},    {furnish_kitchen, 4.0, 3.6},
+                                       {furnish_laboratory, 6.0, 5.0}, {furnish_office, 4.8, 4.4}};
   const double breadth = to_cm(random.uniform(1.9, 2.5));
   const double height = to_cm(random.uniform(2.6, 3.0));
   RoomPlan corridor;
@@ -78,7 +86,8 @@ bool build_floor(Scene& scene, SequentialRandom& random, const RoomOptions& opti
     depth = to_cm((depth + random.uniform(0.0, 0.8)) * options.size_scale);
     for (int i = 0; i < count; ++i) {
       const RoomType& type = types[picked[static_cast<std::size_t>(i)]];
-      const double width = to_cm((type.least_width + random.uniform(0.0, 1.2)) * options.size_scale);
+      const double width =
+          to_cm((type.least_width + random.uniform(0.0, 1.2)) * options.size_scale);
       RoomPlan room;
       room.shell = corridor.shell;
       room.shell.floor_material = random.chance(0.5) ? "carpet grey" : "linoleum";
@@ -97,7 +106,8 @@ bool build_floor(Scene& scene, SequentialRandom& random, const RoomOptions& opti
     const bool north = room.shell.low.y() > 0;
     const Side side = north ? Side::south : Side::north;
     const double width = side_length(room.shell, side);
-    add_door(scene, room, random, side, random.chance(0.5) ? 0.8 : width - 0.8, random.chance(0.6) ? "open" : "");
+    add_door(scene, room, random, side, random.chance(0.5) ? 0.8 : width - 0.8,
+             random.chance(0.6) ? "open" : "");
     add_windows(scene, room, random, north ? Side::north : Side::south, 3);
     // The same hole in the corridor's wall; the room owns reveals, door and threshold.
     const WallOpening& own = room.shell.openings.front();
@@ -106,7 +116,8 @@ bool build_floor(Scene& scene, SequentialRandom& random, const RoomOptions& opti
     const Eigen::Isometry3d to = side_frame(corridor.shell, other).inverse();
     const double a = (to * (from * Eigen::Vector3d(own.opening.low.x(), 0, 0))).x();
     const double b = (to * (from * Eigen::Vector3d(own.opening.high.x(), 0, 0))).x();
-    corridor.shell.openings.push_back({other, {{std::min(a, b), 0.0}, {std::max(a, b), own.opening.high.y()}, 0.0}});
+    corridor.shell.openings.push_back(
+        {other, {{std::min(a, b), 0.0}, {std::max(a, b), own.opening.high.y()}, 0.0}});
     const double middle = 0.5 * (a + b);
     const Eigen::Isometry3d frame = side_frame(corridor.shell, other) * pose_at({middle, 0, 0});
     corridor.entrances.push_back((frame * Eigen::Vector3d(0, -0.5, 0)).head<2>());

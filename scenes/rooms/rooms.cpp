@@ -16,8 +16,9 @@ const std::string& one_of(SequentialRandom& random, const std::vector<std::strin
 
 }  // namespace
 
-RoomPlan plan_room(SequentialRandom& random, const RoomOptions& options, const Eigen::Vector2d& least, const Eigen::Vector2d& most,
-                   double height_low, double height_high) {
+RoomPlan plan_room(SequentialRandom& random, const RoomOptions& options,
+                   const Eigen::Vector2d& least, const Eigen::Vector2d& most, double height_low,
+                   double height_high) {
   RoomPlan plan;
   // A wall must hold a door, whatever the scale.
   const double w = std::max(1.6, random.uniform(least.x(), most.x()) * options.size_scale);
@@ -29,8 +30,8 @@ RoomPlan plan_room(SequentialRandom& random, const RoomOptions& options, const E
   return plan;
 }
 
-void add_door(Scene& scene, RoomPlan& plan, SequentialRandom& random, Side side, double along, const std::string& variant,
-              bool outwards) {
+void add_door(Scene& scene, RoomPlan& plan, SequentialRandom& random, Side side, double along,
+              const std::string& variant, bool outwards) {
   const double wall = 0.12;
   FurnitureRequest request{"door", variant, random.below(1U << 30), {{"wall", wall}}, 0.0};
   Instance door = make_furniture(scene, request);
@@ -40,7 +41,8 @@ void add_door(Scene& scene, RoomPlan& plan, SequentialRandom& random, Side side,
   const double length = side_length(plan.shell, side);
   along = length > 2 * margin ? std::clamp(along, margin, length - margin) : 0.5 * length;
   along = to_mm(along);
-  plan.shell.openings.push_back({side, {{along - 0.5 * width, 0.0}, {along + 0.5 * width, height}, wall}});
+  plan.shell.openings.push_back(
+      {side, {{along - 0.5 * width, 0.0}, {along + 0.5 * width, height}, wall}});
   const Eigen::Isometry3d frame = side_frame(plan.shell, side) * pose_at({along, 0, 0});
   door.T_world_instance = outwards ? frame * pose_at({0, wall, 0}, pi) : frame;
   if (plan.entrances.empty()) plan.door_side = side;
@@ -61,7 +63,8 @@ void add_windows(Scene& scene, RoomPlan& plan, SequentialRandom& random, Side si
   const int fitting = std::min(count, static_cast<int>((length - 0.4) / (width + 0.3)));
   for (int i = 0; i < fitting; ++i) {
     const double along = to_mm(length * (i + 0.5) / fitting);
-    plan.shell.openings.push_back({side, {{along - 0.5 * width, sill}, {along + 0.5 * width, sill + height}, wall}});
+    plan.shell.openings.push_back(
+        {side, {{along - 0.5 * width, sill}, {along + 0.5 * width, sill + height}, wall}});
     Instance copy = window;
     copy.T_world_instance = side_frame(plan.shell, side) * pose_at({along, 0, sill});
     plan.fittings.push_back(std::move(copy));
@@ -89,11 +92,13 @@ void prepare(Placer& placer, const RoomPlan& plan, bool radiators) {
     for (const double w : {0.8, 1.0, 1.2, 1.6}) {
       if (w <= plan.window_widths[i]) width = w;
     }
-    placer.put(placer.make("radiator", "", {{"width", width}, {"height", 0.5}}), plan.window_frames[i]);
+    placer.put(placer.make("radiator", "", {{"width", width}, {"height", 0.5}}),
+               plan.window_frames[i]);
   }
 }
 
-std::optional<std::size_t> chair_at(Placer& placer, std::size_t table, int side, double along, const std::string& variant) {
+std::optional<std::size_t> chair_at(Placer& placer, std::size_t table, int side, double along,
+                                    const std::string& variant) {
   const Instance& thing = placer.scene().instances[table];
   const Eigen::Isometry3d base = thing.T_world_instance;
   const Eigen::AlignedBox3d bounds = local_bounds(thing);
@@ -107,10 +112,21 @@ std::optional<std::size_t> chair_at(Placer& placer, std::size_t table, int side,
     Eigen::Vector3d at(along + sway, 0, 0);
     double yaw = pi;
     switch (side) {
-      case 0: at.y() = bounds.min().y() - out; break;
-      case 1: at = {bounds.max().x() + out, along + sway, 0}; yaw = -0.5 * pi; break;
-      case 2: at.y() = bounds.max().y() + out; yaw = 0.0; break;
-      default: at = {bounds.min().x() - out, along + sway, 0}; yaw = 0.5 * pi; break;
+      case 0:
+        at.y() = bounds.min().y() - out;
+        break;
+      case 1:
+        at = {bounds.max().x() + out, along + sway, 0};
+        yaw = -0.5 * pi;
+        break;
+      case 2:
+        at.y() = bounds.max().y() + out;
+        yaw = 0.0;
+        break;
+      default:
+        at = {bounds.min().x() - out, along + sway, 0};
+        yaw = 0.5 * pi;
+        break;
     }
     if (thing.variant == "L-shape" && side == 0) {
       // Into the crook, not at the end of the return.
@@ -135,17 +151,21 @@ void furnish_desk(Placer& placer, std::size_t desk, int monitors) {
   const auto chair = chair_at(placer, desk, 0, 0.0, random.chance(0.8) ? "office star base" : "");
   double seat = 0.0;  // where the user sits along the desk
   if (chair) {
-    seat = (thing.T_world_instance.inverse() * placer.scene().instances[*chair].T_world_instance.translation()).x();
+    seat = (thing.T_world_instance.inverse() *
+            placer.scene().instances[*chair].T_world_instance.translation())
+               .x();
   }
   // Screens stand in an arc around the user's head; each faces it.
   const double diagonal = std::vector<double>{21.5, 23.8, 23.8, 27.0}[random.below(4)];
   const bool same = random.chance(0.8);
   const double pitch = diagonal * 0.0254 * 0.8716 + 0.06;
   for (int i = 0; i < monitors; ++i) {
-    const double x = std::clamp(seat, -0.2 * width, 0.2 * width) + (i - 0.5 * (monitors - 1)) * pitch;
+    const double x =
+        std::clamp(seat, -0.2 * width, 0.2 * width) + (i - 0.5 * (monitors - 1)) * pitch;
     Parameters parameters;
     if (same) parameters["diagonal_inch"] = diagonal;
-    const Instance monitor = placer.make("monitor", random.chance(0.15) ? "round stand" : "stand", parameters);
+    const Instance monitor =
+        placer.make("monitor", random.chance(0.15) ? "round stand" : "stand", parameters);
     const double y = 0.5 * depth - 0.22 - 0.25 * std::abs(x - seat) * std::abs(x - seat);
     const double distance = y + 0.5 * depth + 0.15;
     // atan by the slope is near enough: the screens face the user to within a few degrees.
@@ -161,20 +181,29 @@ void furnish_desk(Placer& placer, std::size_t desk, int monitors) {
     const auto laptop = placer.make("laptop", "open");
     placer.put_on(top, laptop, {seat, -0.1 * depth}, radians(random.uniform(-8, 8)));
   } else {
-    placer.put_on(top, placer.make("keyboard"), {seat + random.uniform(-0.05, 0.05), -0.5 * depth + 0.17}, radians(random.uniform(-6, 6)));
-    placer.put_on(top, placer.make("mouse"), {seat + random.uniform(0.32, 0.42), -0.5 * depth + 0.18}, radians(random.uniform(-15, 15)));
+    placer.put_on(top, placer.make("keyboard"),
+                  {seat + random.uniform(-0.05, 0.05), -0.5 * depth + 0.17},
+                  radians(random.uniform(-6, 6)));
+    placer.put_on(top, placer.make("mouse"),
+                  {seat + random.uniform(0.32, 0.42), -0.5 * depth + 0.18},
+                  radians(random.uniform(-15, 15)));
   }
   for (const char* kind : {"cup", "telephone", "book", "desk lamp", "bottle", "box", "book"}) {
     if (!random.chance(0.9 * placer.options().clutter)) continue;
     const std::string name = kind;
-    placer.put_somewhere_on(top, placer.make(name, name == "box" ? "parcel" : ""), random.uniform(-0.3, 0.3), 0.4, 6);
+    placer.put_somewhere_on(top, placer.make(name, name == "box" ? "parcel" : ""),
+                            random.uniform(-0.3, 0.3), 0.4, 6);
   }
   if (random.chance(0.6) && thing.variant != "L-shape") {
     // A drawer unit on castors under the desk, at the left or right.
     const Instance unit = placer.make("drawer unit", "on castors");
     const double side = random.chance(0.5) ? 1.0 : -1.0;
     for (int k = 0; k < 3; ++k) {
-      if (placer.put(unit, thing.T_world_instance * pose_at({side * (0.5 * width - 0.36 - 0.03 * k), 0.03, 0}), false)) break;
+      if (placer.put(
+              unit,
+              thing.T_world_instance * pose_at({side * (0.5 * width - 0.36 - 0.03 * k), 0.03, 0}),
+              false))
+        break;
     }
   }
 }
@@ -186,7 +215,8 @@ std::optional<std::size_t> workplace(Placer& placer, const std::vector<Side>& si
   return placed;
 }
 
-std::vector<std::size_t> put_in_a_row(Placer& placer, Side side, double start, const std::vector<Instance>& things, double gap) {
+std::vector<std::size_t> put_in_a_row(Placer& placer, Side side, double start,
+                                      const std::vector<Instance>& things, double gap) {
   std::vector<std::size_t> placed;
   const Eigen::Isometry3d frame = side_frame(placer.room(), side);
   double along = start;
@@ -201,7 +231,8 @@ std::vector<std::size_t> put_in_a_row(Placer& placer, Side side, double start, c
   return placed;
 }
 
-void load_surfaces(Placer& placer, std::size_t thing, const std::vector<std::string>& kinds, double share) {
+void load_surfaces(Placer& placer, std::size_t thing, const std::vector<std::string>& kinds,
+                   double share) {
   auto& random = placer.random();
   for (const auto& surface : placer.surfaces(thing)) {
     if (surface.center.z() > 2.1) continue;
@@ -210,7 +241,8 @@ void load_surfaces(Placer& placer, std::size_t thing, const std::vector<std::str
     for (int i = 0; i < std::min(places, 6); ++i) {
       if (!random.chance(share)) continue;
       const std::string& kind = one_of(random, kinds);
-      placer.put_somewhere_on(surface, placer.make(kind, kind == "monitor" ? "stand" : ""), 0.0, kind == "box" ? 0.2 : 0.5, 3);
+      placer.put_somewhere_on(surface, placer.make(kind, kind == "monitor" ? "stand" : ""), 0.0,
+                              kind == "box" ? 0.2 : 0.5, 3);
     }
   }
 }
@@ -228,9 +260,12 @@ void litter(Placer& placer, const std::vector<std::string>& kinds, int count) {
         const double share = placer.random().uniform();
         const Eigen::AlignedBox3d bounds = local_bounds(copy);
         const Eigen::Isometry3d frame = side_frame(placer.room(), side);
-        const double along = bounds.sizes().x() + share * (side_length(placer.room(), side) - 2 * bounds.sizes().x());
+        const double along = bounds.sizes().x() +
+                             share * (side_length(placer.room(), side) - 2 * bounds.sizes().x());
         const double z = copy.loose ? 0.003 : 0.0;
-        if (placer.put(copy, frame * pose_at({along, -gap - bounds.max().y() - 0.05, z}, placer.random().uniform(-0.3, 0.3)))) break;
+        if (placer.put(copy, frame * pose_at({along, -gap - bounds.max().y() - 0.05, z},
+                                             placer.random().uniform(-0.3, 0.3))))
+          break;
       }
     } else {
       placer.put_somewhere(thing, 8);
@@ -238,7 +273,8 @@ void litter(Placer& placer, const std::vector<std::string>& kinds, int count) {
   }
 }
 
-void hang_up(Placer& placer, const std::string& kind, const std::string& variant, const std::vector<Side>& sides, double z) {
+void hang_up(Placer& placer, const std::string& kind, const std::string& variant,
+             const std::vector<Side>& sides, double z) {
   const Instance thing = placer.make(kind, variant);
   const double half = 0.5 * local_bounds(thing).sizes().x();
   for (int i = 0; i < 8; ++i) {
@@ -249,20 +285,26 @@ void hang_up(Placer& placer, const std::string& kind, const std::string& variant
     // Not over an opening.
     bool open = false;
     for (const auto& o : placer.room().openings) {
-      open = open || (o.side == side && along + half > o.opening.low.x() - 0.05 && along - half < o.opening.high.x() + 0.05);
+      open = open || (o.side == side && along + half > o.opening.low.x() - 0.05 &&
+                      along - half < o.opening.high.x() + 0.05);
     }
     if (!open && placer.hang(thing, side, along, z)) return;
   }
 }
 
 void ceiling_lamps(Placer& placer, int count) {
-  const Instance lamp = placer.make("ceiling lamp", "", {{"drop", std::min(0.5, 0.18 * placer.room().height)}});
+  const Instance lamp =
+      placer.make("ceiling lamp", "", {{"drop", std::min(0.5, 0.18 * placer.room().height)}});
   const Eigen::Vector2d size = placer.room().high - placer.room().low;
   for (int i = 0; i < count; ++i) {
     const double share = (i + 0.5) / count;
-    const Eigen::Vector2d at = size.x() > size.y() ? Eigen::Vector2d(share * size.x(), 0.5 * size.y()) : Eigen::Vector2d(0.5 * size.x(), share * size.y());
+    const Eigen::Vector2d at = size.x() > size.y()
+                                   ? Eigen::Vector2d(share * size.x(), 0.5 * size.y())
+                                   : Eigen::Vector2d(0.5 * size.x(), share * size.y());
     const Eigen::Vector2d p = placer.room().low + at;
-    placer.put(lamp, pose_at({p.x(), p.y(), placer.room().height}, size.x() > size.y() ? 0.0 : 0.5 * pi), false);
+    placer.put(lamp,
+               pose_at({p.x(), p.y(), placer.room().height}, size.x() > size.y() ? 0.0 : 0.5 * pi),
+               false);
   }
 }
 
@@ -275,7 +317,8 @@ bool walkable(const Placer& placer, const RoomPlan& plan) {
   }
   for (const auto& instance : scene.instances) {
     const Eigen::Vector2d at = instance.T_world_instance.translation().head<2>();
-    if (instance.kind == "chair" && room.contains(at) && !grid.reachable_near(at, 0.75)) return false;
+    if (instance.kind == "chair" && room.contains(at) && !grid.reachable_near(at, 0.75))
+      return false;
   }
   return grid.reachable_share() >= 0.85;
 }
@@ -289,7 +332,8 @@ void add_sensor_poses(Placer& placer, const RoomPlan& plan, int count) {
   // The first near the door, the others near corners.
   std::vector<Eigen::Vector2d> wishes = {plan.entrances.front()};
   for (int corner = 0; corner < 4; ++corner) {
-    const Eigen::Vector2d c((corner & 1) != 0 ? room.max().x() - 0.7 : room.min().x() + 0.7, (corner & 2) != 0 ? room.max().y() - 0.7 : room.min().y() + 0.7);
+    const Eigen::Vector2d c((corner & 1) != 0 ? room.max().x() - 0.7 : room.min().x() + 0.7,
+                            (corner & 2) != 0 ? room.max().y() - 0.7 : room.min().y() + 0.7);
     if ((c - wishes[0]).norm() > 1.5) wishes.push_back(c);
   }
   // Doors are no obstacle to walking, but a leaf in front of the scanner is one to looking.
@@ -300,7 +344,8 @@ void add_sensor_poses(Placer& placer, const RoomPlan& plan, int count) {
   }
   const auto at_door = [&](const Eigen::Vector2d& p) {
     const OrientedBox body{{p.x(), p.y(), 1.3}, Eigen::Matrix3d::Identity(), {0.3, 0.3, 0.4}};
-    return std::any_of(doors.begin(), doors.end(), [&](const OrientedBox& box) { return boxes_near(body, box, 0.0); });
+    return std::any_of(doors.begin(), doors.end(),
+                       [&](const OrientedBox& box) { return boxes_near(body, box, 0.0); });
   };
   const bool joined = grid.reachable_share() > 0;
   int added = 0;
@@ -321,7 +366,8 @@ void add_sensor_poses(Placer& placer, const RoomPlan& plan, int count) {
       }
     }
     const double height = to_mm(random.uniform(1.2, 1.5));
-    const Eigen::Vector2d look = middle + Eigen::Vector2d(random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4)) - place;
+    const Eigen::Vector2d look =
+        middle + Eigen::Vector2d(random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4)) - place;
     if (best > 1.5 * 1.5 || look.norm() < 0.2) continue;
     const Eigen::Vector2d x = look.normalized();
     Eigen::Isometry3d pose = pose_at({to_mm(place.x()), to_mm(place.y()), height});

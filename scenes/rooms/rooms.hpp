@@ -1,5 +1,6 @@
 #pragma once
-// What the room families share: a shell with doors and windows, workplaces, clutter, and places to scan from.
+// What the room families share: a shell with doors and windows, workplaces, clutter, and places to
+// scan from.
 
 #include <optional>
 #include <string>
@@ -12,15 +13,18 @@ namespace scanchor {
 /// A room that is being made: its shell, and where one comes in.
 struct RoomPlan {
   RoomShell shell;
-  Side door_side = Side::south;              ///< of the first door; families are written for a door in the south
-  std::vector<Instance> fittings;            ///< doors and windows, placed, without ids
-  std::vector<Eigen::Vector2d> entrances;    ///< [m] places on the floor just inside the doors
+  Side door_side =
+      Side::south;  ///< of the first door; families are written for a door in the south
+  std::vector<Instance> fittings;              ///< doors and windows, placed, without ids
+  std::vector<Eigen::Vector2d> entrances;      ///< [m] places on the floor just inside the doors
   std::vector<Eigen::Isometry3d> door_frames;  ///< side frame at the middle of each door
   std::vector<double> door_widths;
   std::vector<Eigen::Isometry3d> window_frames;
   std::vector<double> window_widths;
   /// A side as the family means it, turned to where the door is.
-  [[nodiscard]] Side turned(Side side) const { return static_cast<Side>((static_cast<int>(side) + static_cast<int>(door_side)) % 4); }
+  [[nodiscard]] Side turned(Side side) const {
+    return static_cast<Side>((static_cast<int>(side) + static_cast<int>(door_side)) % 4);
+  }
   [[nodiscard]] std::vector<Side> turned(std::vector<Side> sides) const {
     for (auto& side : sides) side = turned(side);
     return sides;
@@ -28,11 +32,13 @@ struct RoomPlan {
 };
 
 /// A rectangle of the usual sides, scaled by the options, with materials drawn.
-RoomPlan plan_room(SequentialRandom& random, const RoomOptions& options, const Eigen::Vector2d& least, const Eigen::Vector2d& most,
-                   double height_low, double height_high);
-/// A door at `along` [m] (middle) of a side; empty variant: drawn. `outwards`: its leaf turns away from the room.
-void add_door(Scene& scene, RoomPlan& plan, SequentialRandom& random, Side side, double along, const std::string& variant = "",
-              bool outwards = false);
+RoomPlan plan_room(SequentialRandom& random, const RoomOptions& options,
+                   const Eigen::Vector2d& least, const Eigen::Vector2d& most, double height_low,
+                   double height_high);
+/// A door at `along` [m] (middle) of a side; empty variant: drawn. `outwards`: its leaf turns away
+/// from the room.
+void add_door(Scene& scene, RoomPlan& plan, SequentialRandom& random, Side side, double along,
+              const std::string& variant = "", bool outwards = false);
 /// As many windows as fit a side evenly, at most `count`.
 void add_windows(Scene& scene, RoomPlan& plan, SequentialRandom& random, Side side, int count);
 /// Adds shell and fittings to the scene.
@@ -40,23 +46,30 @@ void build_plan(Scene& scene, const RoomPlan& plan);
 /// Door swings and the way in stay free; radiators come below windows.
 void prepare(Placer& placer, const RoomPlan& plan, bool radiators);
 
-/// A desk at a wall (or at a pose) with monitors that face the chair, keyboard, mouse, what lies on desks, and a chair. Returns the desk.
+/// A desk at a wall (or at a pose) with monitors that face the chair, keyboard, mouse, what lies on
+/// desks, and a chair. Returns the desk.
 std::optional<std::size_t> workplace(Placer& placer, const std::vector<Side>& sides, int monitors);
 /// The same for a desk that has been placed.
 void furnish_desk(Placer& placer, std::size_t desk, int monitors);
-/// A chair that faces a table from its side -y (0), +x (1), +y (2) or -x (3), `along` [m] off the middle, pushed in or pulled out.
-std::optional<std::size_t> chair_at(Placer& placer, std::size_t table, int side, double along, const std::string& variant = "");
+/// A chair that faces a table from its side -y (0), +x (1), +y (2) or -x (3), `along` [m] off the
+/// middle, pushed in or pulled out.
+std::optional<std::size_t> chair_at(Placer& placer, std::size_t table, int side, double along,
+                                    const std::string& variant = "");
 
 /// Fills surfaces of a thing with loose things of these kinds, `share` of the places.
-void load_surfaces(Placer& placer, std::size_t thing, const std::vector<std::string>& kinds, double share);
+void load_surfaces(Placer& placer, std::size_t thing, const std::vector<std::string>& kinds,
+                   double share);
 /// Loose things on the floor.
 void litter(Placer& placer, const std::vector<std::string>& kinds, int count);
 /// Pictures, whiteboards, televisions on free stretches of wall.
-void hang_up(Placer& placer, const std::string& kind, const std::string& variant, const std::vector<Side>& sides, double z);
+void hang_up(Placer& placer, const std::string& kind, const std::string& variant,
+             const std::vector<Side>& sides, double z);
 void ceiling_lamps(Placer& placer, int count);
 
-/// Things side by side along a wall, from `start` [m], `gap` [m] apart. Returns their indices; what does not fit is left out.
-std::vector<std::size_t> put_in_a_row(Placer& placer, Side side, double start, const std::vector<Instance>& things, double gap);
+/// Things side by side along a wall, from `start` [m], `gap` [m] apart. Returns their indices; what
+/// does not fit is left out.
+std::vector<std::size_t> put_in_a_row(Placer& placer, Side side, double start,
+                                      const std::vector<Instance>& things, double gap);
 
 // Furnishing: one function a family. False: something essential found no place.
 using Furnish = bool (*)(Placer& placer, const RoomPlan& plan);
@@ -82,12 +95,15 @@ RoomPlan plan_living(Scene& scene, SequentialRandom& random, const RoomOptions& 
 RoomPlan plan_bedroom(Scene& scene, SequentialRandom& random, const RoomOptions& options);
 RoomPlan plan_corridor(Scene& scene, SequentialRandom& random, const RoomOptions& options);
 
-/// A corridor with rooms of several families on both sides. False: one of them could not be furnished.
+/// A corridor with rooms of several families on both sides. False: one of them could not be
+/// furnished.
 bool build_floor(Scene& scene, SequentialRandom& random, const RoomOptions& options);
 
-/// Whether one can walk from the first entrance to the others and to every chair, and at least 85 % of the free floor is joined.
+/// Whether one can walk from the first entrance to the others and to every chair, and at least 85 %
+/// of the free floor is joined.
 bool walkable(const Placer& placer, const RoomPlan& plan);
-/// Two or three places at 1.2 .. 1.5 m over reachable floor that look into the room, the first near the door.
+/// Two or three places at 1.2 .. 1.5 m over reachable floor that look into the room, the first near
+/// the door.
 void add_sensor_poses(Placer& placer, const RoomPlan& plan, int count);
 
 }  // namespace scanchor

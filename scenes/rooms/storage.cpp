@@ -1,4 +1,5 @@
-// Rooms to keep things in: the laboratory with shelves (Fig. 1 of the paper) and the storage aisle (its logistics scenario).
+// Rooms to keep things in: the laboratory with shelves (Fig. 1 of the paper) and the storage aisle
+// (its logistics scenario).
 
 #include <algorithm>
 
@@ -24,35 +25,48 @@ bool furnish_laboratory(Placer& placer, const RoomPlan& plan) {
   int shelves = 0;
   const int wanted = 2 + static_cast<int>(random.below(3));
   for (int i = 0; i < wanted; ++i) {
-    const Instance shelf = placer.make("shelf", random.chance(0.6) ? "open" : "", {{"boards", 3.0 + random.below(4)}});
+    const Instance shelf =
+        placer.make("shelf", random.chance(0.6) ? "open" : "", {{"boards", 3.0 + random.below(4)}});
     const auto placed = placer.put_at_some_wall(shelf, walls, 0.7, 20);
     if (!placed) continue;
     ++shelves;
-    load_surfaces(placer, *placed, {"box", "box", "bottle", "box", "bowl", "book"}, 0.25 + 0.6 * clutter);
+    load_surfaces(placer, *placed, {"box", "box", "bottle", "box", "bowl", "book"},
+                  0.25 + 0.6 * clutter);
   }
-  const auto bench = placer.put_at_some_wall(placer.make("workbench"), plan.turned({Side::north, Side::east, Side::west}), 0.8, 20);
+  const auto bench = placer.put_at_some_wall(
+      placer.make("workbench"), plan.turned({Side::north, Side::east, Side::west}), 0.8, 20);
   if (shelves == 0 || !bench) return false;
-  load_surfaces(placer, *bench, {"box", "bottle", "laptop", "cup", "bowl", "desk lamp"}, 0.3 + 0.5 * clutter);
+  load_surfaces(placer, *bench, {"box", "bottle", "laptop", "cup", "bowl", "desk lamp"},
+                0.3 + 0.5 * clutter);
   const double pull = placer.random().uniform(0.2, 0.4);
   const Eigen::Isometry3d base = placer.scene().instances[*bench].T_world_instance;
-  placer.put(placer.make("stool", "laboratory"), base * pose_at({random.uniform(-0.4, 0.4), -0.4 - pull, 0}), false);
+  placer.put(placer.make("stool", "laboratory"),
+             base * pose_at({random.uniform(-0.4, 0.4), -0.4 - pull, 0}), false);
   if (random.chance(0.6)) {
-    if (const auto second = placer.put_at_some_wall(placer.make("workbench"), walls, 0.8)) load_surfaces(placer, *second, {"box", "bottle", "printer"}, 0.5 * clutter);
+    if (const auto second = placer.put_at_some_wall(placer.make("workbench"), walls, 0.8))
+      load_surfaces(placer, *second, {"box", "bottle", "printer"}, 0.5 * clutter);
   }
   // An island in the middle: a table with things on it.
   if (random.chance(0.7)) {
     const Eigen::Vector2d middle = 0.5 * (plan.shell.low + plan.shell.high);
-    const auto table = placer.put(placer.make("table", random.chance(0.5) ? "four legs" : "trestles"), pose_at({middle.x() + random.uniform(-0.5, 0.5), middle.y() + random.uniform(-0.4, 0.4), 0}, random.uniform(-0.5, 0.5)));
+    const auto table = placer.put(
+        placer.make("table", random.chance(0.5) ? "four legs" : "trestles"),
+        pose_at({middle.x() + random.uniform(-0.5, 0.5), middle.y() + random.uniform(-0.4, 0.4), 0},
+                random.uniform(-0.5, 0.5)));
     if (table) {
-      load_surfaces(placer, *table, {"box", "laptop", "bottle", "book", "monitor"}, 0.3 + 0.5 * clutter);
+      load_surfaces(placer, *table, {"box", "laptop", "bottle", "book", "monitor"},
+                    0.3 + 0.5 * clutter);
       chair_at(placer, *table, 0, 0.0);
     }
   }
-  if (const auto cabinet = placer.put_at_some_wall(placer.make("cabinet", "tall"), walls, 0.5)) load_surfaces(placer, *cabinet, {"box"}, 0.4);
-  workplace(placer, plan.turned({Side::north, Side::east, Side::west}), 1 + static_cast<int>(random.below(2)));
+  if (const auto cabinet = placer.put_at_some_wall(placer.make("cabinet", "tall"), walls, 0.5))
+    load_surfaces(placer, *cabinet, {"box"}, 0.4);
+  workplace(placer, plan.turned({Side::north, Side::east, Side::west}),
+            1 + static_cast<int>(random.below(2)));
   if (random.chance(0.6)) placer.put_somewhere(placer.make("trolley"));
   if (random.chance(0.4)) placer.put_somewhere(placer.make("mannequin"));
-  if (random.chance(0.3)) placer.put_somewhere(placer.make("pillar", "", {{"height", plan.shell.height}}));
+  if (random.chance(0.3))
+    placer.put_somewhere(placer.make("pillar", "", {{"height", plan.shell.height}}));
   if (random.chance(0.5)) placer.put_somewhere(placer.make("box stack"));
   hang_up(placer, "whiteboard", "with tray", walls, 0.95);
   ceiling_lamps(placer, 2);
@@ -86,7 +100,9 @@ bool furnish_storage(Placer& placer, const RoomPlan& plan) {
     std::vector<Instance> row;
     for (int i = 0; i < count; ++i) {
       const double level = std::min(pitch, (plan.shell.height - 0.9) / levels);
-      row.push_back(placer.make("pallet rack", variant, {{"width", width}, {"depth", depth}, {"pitch", level}, {"levels", 1.0 * levels}}));
+      row.push_back(placer.make(
+          "pallet rack", variant,
+          {{"width", width}, {"depth", depth}, {"pitch", level}, {"levels", 1.0 * levels}}));
     }
     const auto placed = put_in_a_row(placer, side, random.uniform(0.2, 0.6), row, 0.04);
     racks += static_cast<int>(placed.size());
@@ -100,11 +116,13 @@ bool furnish_storage(Placer& placer, const RoomPlan& plan) {
             if (!random.chance(0.75)) continue;
             const bool deep = surface.half.y() > 0.5;
             const Instance pallet = placer.make("pallet", deep ? "euro" : "half");
-            const auto p = placer.put(pallet, base * pose_at({x, 0.0, surface.center.z()}, deep ? 0.5 * pi : 0.0), false);
+            const auto p = placer.put(
+                pallet, base * pose_at({x, 0.0, surface.center.z()}, deep ? 0.5 * pi : 0.0), false);
             if (p) load_surfaces(placer, *p, {"box"}, 0.7);
           }
         } else {
-          for (int i = 0; i < 1 + static_cast<int>(6 * clutter); ++i) placer.put_somewhere_on(surface, placer.make("box"), 0.0, 0.15, 4);
+          for (int i = 0; i < 1 + static_cast<int>(6 * clutter); ++i)
+            placer.put_somewhere_on(surface, placer.make("box"), 0.0, 0.15, 4);
         }
       }
     }
@@ -113,8 +131,10 @@ bool furnish_storage(Placer& placer, const RoomPlan& plan) {
       for (const std::size_t rack : placed) {
         if (!random.chance(0.6)) continue;
         const Eigen::Isometry3d base = placer.scene().instances[rack].T_world_instance;
-        if (const auto p = placer.put(placer.make("pallet", depth > 1.0 ? "euro" : "half"), base * pose_at({random.uniform(-0.3, 0.3), 0, 0}), false)) {
-          for (const auto& deck : placer.surfaces(*p)) placer.put_somewhere_on(deck, placer.make("box"), 0.0, 0.1, 4);
+        if (const auto p = placer.put(placer.make("pallet", depth > 1.0 ? "euro" : "half"),
+                                      base * pose_at({random.uniform(-0.3, 0.3), 0, 0}), false)) {
+          for (const auto& deck : placer.surfaces(*p))
+            placer.put_somewhere_on(deck, placer.make("box"), 0.0, 0.1, 4);
         }
       }
     }

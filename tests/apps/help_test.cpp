@@ -21,8 +21,10 @@ TEST_P(Help, HasAnExampleAndTheCommonFlags) {
   EXPECT_NE(ran.out.find("--json"), std::string::npos) << ran.out;
 }
 
-INSTANTIATE_TEST_SUITE_P(Verbs, Help, testing::Values("run", "generate", "label", "segment", "score", "render", "explain", "report", "figures",
-                                                           "check", "baseline", "sweep", "blame"),
+INSTANTIATE_TEST_SUITE_P(Verbs, Help,
+                         testing::Values("run", "generate", "label", "segment", "score", "render",
+                                         "explain", "report", "figures", "check", "baseline",
+                                         "sweep", "blame"),
                          [](const auto& row) { return std::string(row.param); });
 
 TEST(Help, VersionAndNoVerb) {

@@ -1,4 +1,5 @@
-// Scans that nobody here made: every one of them is labelled, and where the truth is known the plainest things are right.
+// Scans that nobody here made: every one of them is labelled, and where the truth is known the
+// plainest things are right.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,8 @@ class RealScan : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(RealScan, IsLabelledWithEveryPointInItsPlace) {
-  const auto ran = run_scanchor("label '" + path() + "' --up auto --no-pictures --out real --points real.ply --json");
+  const auto ran = run_scanchor("label '" + path() +
+                                "' --up auto --no-pictures --out real --points real.ply --json");
   ASSERT_EQ(ran.code, 0) << ran.error;
   const Json labels = Json::parse(ran.out);
   EXPECT_FALSE(labels["objects"].empty());
@@ -32,7 +34,8 @@ TEST_P(RealScan, IsLabelledWithEveryPointInItsPlace) {
 }
 
 INSTANTIATE_TEST_SUITE_P(SharedData, RealScan,
-                         testing::Values("office_laser/room_scan1.pcd", "apartment_laser/cloud_0.ply", "office_kinect/office1.pcd",
+                         testing::Values("office_laser/room_scan1.pcd",
+                                         "apartment_laser/cloud_0.ply", "office_kinect/office1.pcd",
                                          "plane_bench/test_100.pcd"),
                          [](const auto& row) {
                            const std::string path = row.param;
@@ -42,7 +45,8 @@ INSTANTIATE_TEST_SUITE_P(SharedData, RealScan,
 TEST(OfficeLaser, FloorAndCeilingAreWhereTheyWereMeasured) {
   const std::string scan = std::string(SCANCHOR_SHARED_DATA) + "/office_laser/room_scan1.pcd";
   if (!std::filesystem::exists(scan)) GTEST_SKIP() << "no shared data";
-  const auto ran = run_scanchor("label '" + scan + "' --up auto --sensor 0,0,0 --no-pictures --out office --json");
+  const auto ran = run_scanchor("label '" + scan +
+                                "' --up auto --sensor 0,0,0 --no-pictures --out office --json");
   ASSERT_EQ(ran.code, 0) << ran.error;
   int floors = 0;
   int ceilings = 0;

@@ -51,11 +51,14 @@ TEST(Columns, ParsesWholeNumbersWithinTheirType) {
 
 TEST(Columns, SixtyFourBitIntegersBecomeTheSmallestTypeThatHoldsThem) {
   const auto read = [](std::vector<std::int64_t> values) {
-    std::vector<Column> columns = {{"x", ScalarType::i64}, {"y", ScalarType::i64}, {"z", ScalarType::i64},
+    std::vector<Column> columns = {{"x", ScalarType::i64},
+                                   {"y", ScalarType::i64},
+                                   {"z", ScalarType::i64},
                                    {"id", ScalarType::i64}};
     const std::size_t record = lay_out_records(columns);
     std::string bytes(record * values.size(), '\0');
-    for (std::size_t i = 0; i < values.size(); ++i) std::memcpy(bytes.data() + i * record + 24, &values[i], 8);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      std::memcpy(bytes.data() + i * record + 24, &values[i], 8);
     return cloud_from_columns(columns, bytes, values.size(), false, "f").fields[0];
   };
   EXPECT_TRUE(std::holds_alternative<std::vector<std::int32_t>>(read({-1, INT32_MAX}).values));
@@ -65,11 +68,14 @@ TEST(Columns, SixtyFourBitIntegersBecomeTheSmallestTypeThatHoldsThem) {
 }
 
 TEST(Columns, BytesAreTurnedRoundWhereAsked) {
-  std::vector<Column> columns = {{"x", ScalarType::u16}, {"y", ScalarType::u16}, {"z", ScalarType::u16}};
+  std::vector<Column> columns = {
+      {"x", ScalarType::u16}, {"y", ScalarType::u16}, {"z", ScalarType::u16}};
   lay_out_records(columns);
   const std::string bytes("\x01\x02\x03\x04\x05\x06", 6);
-  EXPECT_EQ(cloud_from_columns(columns, bytes, 1, false, "f").points[0], Eigen::Vector3d(0x0201, 0x0403, 0x0605));
-  EXPECT_EQ(cloud_from_columns(columns, bytes, 1, true, "f").points[0], Eigen::Vector3d(0x0102, 0x0304, 0x0506));
+  EXPECT_EQ(cloud_from_columns(columns, bytes, 1, false, "f").points[0],
+            Eigen::Vector3d(0x0201, 0x0403, 0x0605));
+  EXPECT_EQ(cloud_from_columns(columns, bytes, 1, true, "f").points[0],
+            Eigen::Vector3d(0x0102, 0x0304, 0x0506));
 }
 
 TEST(Columns, NeedXYZOnceEach) {
@@ -77,7 +83,8 @@ TEST(Columns, NeedXYZOnceEach) {
   EXPECT_EQ(data_error([&] { (void)cloud_from_columns(no_z, "", 0, false, "f"); }),
             "f: header: has no field 'z'; a point needs x, y and z");
   const std::vector<Column> twice = {{"x", ScalarType::f32}, {"x", ScalarType::f32}};
-  EXPECT_EQ(data_error([&] { (void)cloud_from_columns(twice, "", 0, false, "f"); }), "f: header: names the field 'x' twice");
+  EXPECT_EQ(data_error([&] { (void)cloud_from_columns(twice, "", 0, false, "f"); }),
+            "f: header: names the field 'x' twice");
 }
 
 TEST(Columns, PositionsAreFloatUnlessTheyNeedMore) {
@@ -88,15 +95,20 @@ TEST(Columns, PositionsAreFloatUnlessTheyNeedMore) {
 TEST(Columns, RefusesWhatNoFileCanHold) {
   PointCloud cloud = testing::cloud_with_all_types(false);
   cloud.fields[0].values = std::vector<float>{1.0F};
-  EXPECT_NE(data_error([&] { (void)columns_of(cloud, "f"); }).find("'intensity' has 1 values for 50 points"), std::string::npos);
+  EXPECT_NE(data_error([&] {
+              (void)columns_of(cloud, "f");
+            }).find("'intensity' has 1 values for 50 points"),
+            std::string::npos);
   cloud = testing::cloud_with_all_types(false);
   cloud.fields[0].name = "x";
-  EXPECT_NE(data_error([&] { (void)columns_of(cloud, "f"); }).find("'x' cannot be the name"), std::string::npos);
+  EXPECT_NE(data_error([&] { (void)columns_of(cloud, "f"); }).find("'x' cannot be the name"),
+            std::string::npos);
   cloud.fields[0].name = "a b,c";
   EXPECT_EQ(columns_of(cloud, "f")[3].name, "a_b_c");
   cloud.width = 7;
   cloud.height = 7;
-  EXPECT_NE(data_error([&] { (void)columns_of(cloud, "f"); }).find("50 points are not 7 x 7"), std::string::npos);
+  EXPECT_NE(data_error([&] { (void)columns_of(cloud, "f"); }).find("50 points are not 7 x 7"),
+            std::string::npos);
 }
 
 TEST(Columns, PosesRoundTripAndBadOnesAreNone) {
@@ -104,7 +116,8 @@ TEST(Columns, PosesRoundTripAndBadOnesAreNone) {
   Eigen::Isometry3d back;
   ASSERT_TRUE(parse_pose(pose_text(pose), back));
   EXPECT_LT((back.matrix() - pose.matrix()).norm(), 1e-14);
-  for (const char* bad : {"", "0 0 0 1 0 0", "0 0 0 0 0 0 0", "0 0 nan 1 0 0 0", "0 0 0 1 0 0 0 0", "a 0 0 1 0 0 0"}) {
+  for (const char* bad : {"", "0 0 0 1 0 0", "0 0 0 0 0 0 0", "0 0 nan 1 0 0 0", "0 0 0 1 0 0 0 0",
+                          "a 0 0 1 0 0 0"}) {
     EXPECT_FALSE(parse_pose(bad, back)) << bad;
   }
 }

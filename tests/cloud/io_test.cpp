@@ -24,7 +24,8 @@ class CloudFiles : public ::testing::Test {
  protected:
   void SetUp() override {
     folder_ = fs::path(::testing::TempDir()) /
-              ("scanchor_io_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+              ("scanchor_io_" +
+               std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }
@@ -53,7 +54,8 @@ TEST_F(CloudFiles, RoundTripByEnding) {
   write_cloud(folder_ / "b.pcd", cloud, CloudFormat::pcd_binary_compressed);
   write_cloud(folder_ / "b.ply", cloud, CloudFormat::ply_ascii);
   write_cloud(folder_ / "c.pcd", cloud, CloudFormat::pcd_ascii);
-  for (const char* name : {"b.pcd", "b.ply", "c.pcd"}) expect_same(read_cloud(folder_ / name), cloud);
+  for (const char* name : {"b.pcd", "b.ply", "c.pcd"})
+    expect_same(read_cloud(folder_ / name), cloud);
 }
 
 TEST_F(CloudFiles, ContentDecidesBeforeTheEnding) {
@@ -89,20 +91,31 @@ TEST_F(CloudFiles, ErrorsNameTheFile) {
   };
   EXPECT_NE(error("a.pcd", "").find("is empty"), std::string::npos);
   EXPECT_NE(error("a.ply", "solid\n").find("begins with the line 'ply'"), std::string::npos);
-  EXPECT_NE(error("a.las", "LASF\x01\x02").find("unknown format; known are: .pcd"), std::string::npos);
-  EXPECT_NE(error("noending", std::string("\x7f" "ELF\0", 5)).find("unknown format"), std::string::npos);
+  EXPECT_NE(error("a.las", "LASF\x01\x02").find("unknown format; known are: .pcd"),
+            std::string::npos);
+  EXPECT_NE(error("noending", std::string("\x7f"
+                                          "ELF\0",
+                                          5))
+                .find("unknown format"),
+            std::string::npos);
   EXPECT_NE(error("a.label", "1234").find("holds labels, not points"), std::string::npos);
-  EXPECT_NE(data_error([&] { (void)read_cloud(folder_ / "none.pcd"); }).find("cannot be opened"), std::string::npos);
-  EXPECT_NE(data_error([&] { write_cloud(folder_ / "no" / "a.pcd", cloud_with_all_types(false)); }).find("cannot be written"),
+  EXPECT_NE(data_error([&] { (void)read_cloud(folder_ / "none.pcd"); }).find("cannot be opened"),
+            std::string::npos);
+  EXPECT_NE(data_error([&] {
+              write_cloud(folder_ / "no" / "a.pcd", cloud_with_all_types(false));
+            }).find("cannot be written"),
             std::string::npos);
   EXPECT_THROW(write_cloud(folder_ / "a.las", PointCloud{}), Error);
   EXPECT_FALSE(fs::exists(folder_ / "no"));
 }
 
-// ---- Independent readers: what we write is what others read. ---------------------------------------------------------------
+// ---- Independent readers: what we write is what others read.
+// ---------------------------------------------------------------
 
-/// "name type sha256" of each column, the hash over the values as little-endian doubles; what support/read_cloud.py prints.
-std::string columns_line(const std::string& name, const std::string& type, const std::vector<double>& values) {
+/// "name type sha256" of each column, the hash over the values as little-endian doubles; what
+/// support/read_cloud.py prints.
+std::string columns_line(const std::string& name, const std::string& type,
+                         const std::vector<double>& values) {
   std::string bytes(8 * values.size(), '\0');
   std::memcpy(bytes.data(), values.data(), bytes.size());
   return name + " " + type + " " + sha256(bytes) + "\n";
@@ -124,17 +137,21 @@ std::string columns_of_cloud(const PointCloud& cloud, const std::string& positio
   return text;
 }
 
-/// A reader of forty lines that shares no code with the project's: little-endian binary PCD and PLY by a fixed list of types.
-std::string read_binary(const std::string& bytes, const std::string& body_mark, const std::vector<std::string>& names,
+/// A reader of forty lines that shares no code with the project's: little-endian binary PCD and PLY
+/// by a fixed list of types.
+std::string read_binary(const std::string& bytes, const std::string& body_mark,
+                        const std::vector<std::string>& names,
                         const std::vector<std::string>& types, std::size_t count) {
   std::size_t at = bytes.find(body_mark) + body_mark.size();
   std::vector<std::vector<double>> columns(names.size());
   const auto number = [&](const std::string& type) {
     const auto size = static_cast<std::size_t>(type[1] - '0');
     std::uint64_t raw = 0;
-    for (std::size_t k = size; k-- > 0;) raw = raw * 256 + static_cast<unsigned char>(bytes.at(at + k));
+    for (std::size_t k = size; k-- > 0;)
+      raw = raw * 256 + static_cast<unsigned char>(bytes.at(at + k));
     at += size;
-    if (type == "f4") return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(raw)));
+    if (type == "f4")
+      return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(raw)));
     if (type == "f8") return std::bit_cast<double>(raw);
     if (type == "i4") return static_cast<double>(static_cast<std::int32_t>(raw));
     return static_cast<double>(raw);
@@ -144,18 +161,22 @@ std::string read_binary(const std::string& bytes, const std::string& body_mark, 
   }
   EXPECT_EQ(at, bytes.size());
   std::string text;
-  for (std::size_t c = 0; c < names.size(); ++c) text += columns_line(names[c], types[c], columns[c]);
+  for (std::size_t c = 0; c < names.size(); ++c)
+    text += columns_line(names[c], types[c], columns[c]);
   return text;
 }
 
 TEST_F(CloudFiles, ASecondReaderInThisTestReadsTheSame) {
   const PointCloud cloud = finite_cloud();
-  const std::vector<std::string> names = {"x", "y", "z", "intensity", "time", "label", "rgba", "instance", "flags"};
+  const std::vector<std::string> names = {"x",     "y",    "z",        "intensity", "time",
+                                          "label", "rgba", "instance", "flags"};
   const std::vector<std::string> types = {"f4", "f4", "f4", "f4", "f8", "i4", "u4", "u2", "u1"};
   write_cloud(folder_ / "a.pcd", cloud);
   write_cloud(folder_ / "a.ply", cloud);
-  EXPECT_EQ(read_binary(read_file(folder_ / "a.pcd"), "DATA binary\n", names, types, cloud.size()), columns_of_cloud(cloud, "f4"));
-  EXPECT_EQ(read_binary(read_file(folder_ / "a.ply"), "end_header\n", names, types, cloud.size()), columns_of_cloud(cloud, "f4"));
+  EXPECT_EQ(read_binary(read_file(folder_ / "a.pcd"), "DATA binary\n", names, types, cloud.size()),
+            columns_of_cloud(cloud, "f4"));
+  EXPECT_EQ(read_binary(read_file(folder_ / "a.ply"), "end_header\n", names, types, cloud.size()),
+            columns_of_cloud(cloud, "f4"));
 }
 
 /// Output of a command, or nothing if it fails.
@@ -164,7 +185,8 @@ std::optional<std::string> output_of(const std::string& command) {
   if (pipe == nullptr) return std::nullopt;
   std::string text;
   std::array<char, 4096> buffer;
-  for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) text.append(buffer.data(), n);
+  for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+    text.append(buffer.data(), n);
   if (::pclose(pipe) != 0) return std::nullopt;
   return text;
 }
@@ -181,10 +203,13 @@ TEST_F(CloudFiles, NumpyReadsTheSame) {
   const std::string python = python_with_numpy();
   RecordProperty("independent_reader", python.empty() ? "C++ only" : "numpy");
   if (python.empty()) {
-    std::printf("no Python with numpy here: ASecondReaderInThisTestReadsTheSame is the independent reader\n");
+    std::printf(
+        "no Python with numpy here: ASecondReaderInThisTestReadsTheSame is the independent "
+        "reader\n");
     return;
   }
-  const std::string read = python + " '" + SCANCHOR_SOURCE_DIR + "/tests/cloud/support/read_cloud.py' ";
+  const std::string read =
+      python + " '" + SCANCHOR_SOURCE_DIR + "/tests/cloud/support/read_cloud.py' ";
   const auto quoted = [&](const char* name) { return "'" + (folder_ / name).string() + "' "; };
   const PointCloud cloud = finite_cloud();
   PointCloud wide = cloud;
@@ -202,13 +227,15 @@ TEST_F(CloudFiles, NumpyReadsTheSame) {
   kitti.fields.clear();
   kitti.set(*cloud.find("intensity"));
   std::vector<std::uint16_t> label;
-  for (std::size_t i = 0; i < cloud.size(); ++i) label.push_back(static_cast<std::uint16_t>(cloud.find("label")->at(i)));
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    label.push_back(static_cast<std::uint16_t>(cloud.find("label")->at(i)));
   kitti.set({"label", label});
   kitti.set(*cloud.find("instance"));
   EXPECT_EQ(output_of(read + quoted("a.bin") + quoted("a.label")), columns_of_cloud(kitti, "f4"));
 }
 
-// ---- Real files of other programs, where they are at hand. -------------------------------------------------------------------
+// ---- Real files of other programs, where they are at hand.
+// -------------------------------------------------------------------
 
 struct RealFile {
   const char* path;
@@ -245,15 +272,16 @@ TEST_P(RealClouds, AreRead) {
   EXPECT_GT(box.sizes().minCoeff(), 0.5);
 }
 
-INSTANTIATE_TEST_SUITE_P(SharedData, RealClouds,
-                         ::testing::Values(RealFile{"office_laser/room_scan1.pcd", 112586, 112586, 0, 0, {}},
-                                           RealFile{"apartment_laser/cloud_0.ply", 36674, 36674, 0, 0, {}},
-                                           RealFile{"office_kinect/office1.pcd", 307200, 0, 640, 480, {"rgb"}},
-                                           RealFile{"plane_bench/test_100.pcd", 10000, 10000, 100, 100, {"intensity"}}),
-                         [](const auto& test) {
-                           std::string name = test.param.path;
-                           return name.substr(0, name.find('/'));
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    SharedData, RealClouds,
+    ::testing::Values(RealFile{"office_laser/room_scan1.pcd", 112586, 112586, 0, 0, {}},
+                      RealFile{"apartment_laser/cloud_0.ply", 36674, 36674, 0, 0, {}},
+                      RealFile{"office_kinect/office1.pcd", 307200, 0, 640, 480, {"rgb"}},
+                      RealFile{"plane_bench/test_100.pcd", 10000, 10000, 100, 100, {"intensity"}}),
+    [](const auto& test) {
+      std::string name = test.param.path;
+      return name.substr(0, name.find('/'));
+    });
 
 }  // namespace
 }  // namespace scanchor

@@ -31,7 +31,8 @@ TEST(Kitti, RoundTripOfPositionsIntensityAndLabels) {
     } else {
       EXPECT_EQ(back.points[i], cloud.points[i]);
     }
-    for (const char* name : {"label", "instance"}) EXPECT_EQ(back.find(name)->at(i), cloud.find(name)->at(i));
+    for (const char* name : {"label", "instance"})
+      EXPECT_EQ(back.find(name)->at(i), cloud.find(name)->at(i));
   }
   EXPECT_EQ(back.find("intensity")->at(1), cloud.find("intensity")->at(1));
 }
@@ -47,13 +48,15 @@ TEST(Kitti, NegativeLabelsAreNoneAndLargeOnesAnError) {
 }
 
 TEST(Kitti, FiveColumnsHaveARing) {
-  const PointCloud cloud = parse_kitti(std::string(16, '\0') + std::string("\0\0\xe0\x40", 4), "f", 5);
+  const PointCloud cloud =
+      parse_kitti(std::string(16, '\0') + std::string("\0\0\xe0\x40", 4), "f", 5);
   EXPECT_EQ(cloud.find("ring")->at(0), 7.0);
 }
 
 TEST(Kitti, SizesMustFit) {
   EXPECT_EQ(data_error([] { (void)parse_kitti(std::string(17, '\0'), "f"); }),
-            "f: has 17 bytes, which is no multiple of the 16 of a point; the file is truncated or of another format");
+            "f: has 17 bytes, which is no multiple of the 16 of a point; the file is truncated or "
+            "of another format");
   PointCloud cloud;
   cloud.points.resize(3);
   EXPECT_EQ(data_error([&] { add_kitti_labels(cloud, std::string(8, '\0'), "f"); }),

@@ -8,8 +8,13 @@ namespace scanchor {
 namespace {
 
 TEST(Lzf, DecodesAHandWrittenStream) {
-  // Literal "abc" (control 2), then length 7 + 2 + 1 = 10 at distance 3, then length 3 at distance 1.
-  const std::string stream = std::string("\x02" "abc", 4) + std::string("\xE0\x01\x02", 3) + std::string("\x20\x00", 2);
+  // Literal "abc" (control 2), then length 7 + 2 + 1 = 10 at distance 3, then length 3 at
+  // distance 1.
+  const std::string stream = std::string(
+                                 "\x02"
+                                 "abc",
+                                 4) +
+                             std::string("\xE0\x01\x02", 3) + std::string("\x20\x00", 2);
   EXPECT_EQ(lzf_decompress(stream, 16), "abcabcabcabcaaaa");
 }
 
@@ -21,7 +26,8 @@ TEST(Lzf, RoundTripOfManyKindsOfBytes) {
     const std::uint32_t letters = 1 + random.below(i % 3 == 0 ? 2 : 256);
     while (text.size() < size) {
       if (random.chance(0.1) && !text.empty()) {
-        text += text.substr(random.below(static_cast<std::uint32_t>(text.size())), random.below(400));
+        text +=
+            text.substr(random.below(static_cast<std::uint32_t>(text.size())), random.below(400));
       }
       text += static_cast<char>(random.below(letters));
     }
@@ -43,8 +49,10 @@ TEST(Lzf, DamageIsSeen) {
   EXPECT_EQ(lzf_decompress(packed, 27), "aaaaaaaaaaaaaaaaaaaabcdefgh");
   EXPECT_EQ(lzf_decompress(packed, 26), std::nullopt);
   EXPECT_EQ(lzf_decompress(packed, 28), std::nullopt);
-  for (std::size_t cut = 0; cut < packed.size(); ++cut) EXPECT_EQ(lzf_decompress(packed.substr(0, cut), 27), std::nullopt);
-  EXPECT_EQ(lzf_decompress(std::string("\x20\x00", 2), 3), std::nullopt) << "a reference before the first byte";
+  for (std::size_t cut = 0; cut < packed.size(); ++cut)
+    EXPECT_EQ(lzf_decompress(packed.substr(0, cut), 27), std::nullopt);
+  EXPECT_EQ(lzf_decompress(std::string("\x20\x00", 2), 3), std::nullopt)
+      << "a reference before the first byte";
 }
 
 }  // namespace

@@ -34,14 +34,16 @@ TEST(Xyz, WritesThisText) {
   PointCloud cloud;
   cloud.points = {{1.0, 2.0, -0.5}, {0.1, 0.0, 1e300}};
   cloud.set({"label", std::vector<std::uint8_t>{2, 3}});
-  EXPECT_EQ(format_xyz(cloud, "f"), "# x y z label\n# types float64 float64 float64 uint8\n1 2 -0.5 2\n0.1 0 1e+300 3\n");
+  EXPECT_EQ(format_xyz(cloud, "f"),
+            "# x y z label\n# types float64 float64 float64 uint8\n1 2 -0.5 2\n0.1 0 1e+300 3\n");
 }
 
 TEST(Xyz, OtherProgramsText) {
   const PointCloud s3dis = parse_xyz("-15.609 39.505 2.867 71 73 52\n1 2 3 255 0 0\n", "f");
   EXPECT_EQ(names(s3dis), (std::vector<std::string>{"red", "green", "blue"}));
   EXPECT_TRUE(std::holds_alternative<std::vector<std::uint8_t>>(s3dis.fields[0].values));
-  const PointCloud csv = parse_xyz("X,Y,Z,Classification,Gps\r\n1,2,3,7,1403715273.262\r\n4,5,6,8,1403715274.5\r\n", "f");
+  const PointCloud csv = parse_xyz(
+      "X,Y,Z,Classification,Gps\r\n1,2,3,7,1403715273.262\r\n4,5,6,8,1403715274.5\r\n", "f");
   EXPECT_EQ(names(csv), (std::vector<std::string>{"Classification", "Gps"}));
   EXPECT_TRUE(std::holds_alternative<std::vector<std::int32_t>>(csv.fields[0].values));
   EXPECT_EQ(csv.fields[1].at(0), 1403715273.262);
@@ -49,8 +51,10 @@ TEST(Xyz, OtherProgramsText) {
   EXPECT_EQ(names(compare), (std::vector<std::string>{"Intensity"}));
   const PointCloud pts = parse_xyz("2\n1 2 3 -100 1 2 3\n1 2 3 -101 4 5 6\n", "f");
   EXPECT_EQ(names(pts), (std::vector<std::string>{"intensity", "red", "green", "blue"}));
-  EXPECT_EQ(names(parse_xyz("1;2;3;4;5\n", "f")), (std::vector<std::string>{"column_4", "column_5"}));
-  EXPECT_EQ(parse_xyz("\xEF\xBB\xBF# hello\n\n  1\t2\t3 # a remark\n", "f").points[0], Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(names(parse_xyz("1;2;3;4;5\n", "f")),
+            (std::vector<std::string>{"column_4", "column_5"}));
+  EXPECT_EQ(parse_xyz("\xEF\xBB\xBF# hello\n\n  1\t2\t3 # a remark\n", "f").points[0],
+            Eigen::Vector3d(1, 2, 3));
   const PointCloud nan = parse_xyz("nan nan nan\n1 2 3", "f");
   EXPECT_TRUE(std::isnan(nan.points[0].x()));
   EXPECT_EQ(nan.size(), 2U);
@@ -62,9 +66,13 @@ TEST(Xyz, ColumnsWithNanStayReal) {
 }
 
 TEST(Xyz, ErrorsNameTheLine) {
-  const auto error = [](const std::string& text) { return data_error([&] { (void)parse_xyz(text, "a.xyz"); }); };
-  EXPECT_EQ(error("# c\n1 2 3\n1 2\n"), "a.xyz: line 3: has fewer than the 3 columns of the lines before");
-  EXPECT_EQ(error("1 2 3\n1 2 3 4\n"), "a.xyz: line 2: has more than the 3 columns of the lines before");
+  const auto error = [](const std::string& text) {
+    return data_error([&] { (void)parse_xyz(text, "a.xyz"); });
+  };
+  EXPECT_EQ(error("# c\n1 2 3\n1 2\n"),
+            "a.xyz: line 3: has fewer than the 3 columns of the lines before");
+  EXPECT_EQ(error("1 2 3\n1 2 3 4\n"),
+            "a.xyz: line 2: has more than the 3 columns of the lines before");
   EXPECT_EQ(error("1 2 3\n1 2 abc\n"), "a.xyz: line 2: 'abc' is no value for the column 'z'");
   EXPECT_EQ(error("1 2\n"), "a.xyz: line 1: has 2 columns, a point needs x, y and z");
   EXPECT_EQ(error("# nothing\n"), "a.xyz: holds no points");

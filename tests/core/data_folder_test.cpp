@@ -13,7 +13,8 @@ namespace {
 class DataFolder : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("scanchor_data_" + std::to_string(::getpid()));
+    folder_ =
+        std::filesystem::temp_directory_path() / ("scanchor_data_" + std::to_string(::getpid()));
     make_folder(folder_ / "words");
     write_file(folder_ / "words" / "office.sdl", "x");
     write_file(folder_ / "words" / "storage.sdl", "x");
@@ -39,7 +40,8 @@ TEST_F(DataFolder, AMissingNameIsOneLineWithTheNearestName) {
     FAIL() << "found a file that is not there";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::bad_data);
-    EXPECT_NE(std::string(error.what()).find("did you mean 'office'?"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("did you mean 'office'?"), std::string::npos)
+        << error.what();
     EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
   }
   EXPECT_THROW(find_data_file("words", "nowhere/office.sdl", ".sdl"), Error);

@@ -17,7 +17,8 @@ class FileTest : public ::testing::Test {
  protected:
   void SetUp() override {
     folder_ = fs::path(::testing::TempDir()) /
-              ("scanchor_file_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+              ("scanchor_file_" +
+               std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }
@@ -48,15 +49,18 @@ TEST_F(FileTest, ReadsBackEveryByte) {
   EXPECT_EQ(entries(), 1U);
 }
 
-TEST_F(FileTest, ReadsWhatHasNoSize) {
-  EXPECT_FALSE(read_file("/proc/self/status").empty());
-}
+TEST_F(FileTest, ReadsWhatHasNoSize) { EXPECT_FALSE(read_file("/proc/self/status").empty()); }
 
 TEST_F(FileTest, ErrorsNameTheFileAndTheSystemsReason) {
-  EXPECT_NE(message_of([&] { (void)read_file(folder_ / "none"); }).find("none: cannot be opened: No such file"),
+  EXPECT_NE(message_of([&] {
+              (void)read_file(folder_ / "none");
+            }).find("none: cannot be opened: No such file"),
             std::string::npos);
-  EXPECT_NE(message_of([&] { (void)read_file(folder_); }).find("is a folder, not a file"), std::string::npos);
-  EXPECT_NE(message_of([&] { write_file(folder_ / "no" / "a", "x"); }).find("cannot be written: No such file"),
+  EXPECT_NE(message_of([&] { (void)read_file(folder_); }).find("is a folder, not a file"),
+            std::string::npos);
+  EXPECT_NE(message_of([&] {
+              write_file(folder_ / "no" / "a", "x");
+            }).find("cannot be written: No such file"),
             std::string::npos);
 }
 
@@ -80,7 +84,8 @@ TEST_F(FileTest, AFullDiskLeavesNothingUnderTheFinalName) {
   rlimit small = old;
   small.rlim_cur = 4096;
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-  const std::string message = message_of([&] { write_file(folder_ / "big", std::string(1 << 20, 'x')); });
+  const std::string message =
+      message_of([&] { write_file(folder_ / "big", std::string(1 << 20, 'x')); });
   setrlimit(RLIMIT_FSIZE, &old);
   std::signal(SIGXFSZ, old_handler);
   EXPECT_NE(message.find("big: cannot be written: File too large"), std::string::npos) << message;

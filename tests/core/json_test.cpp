@@ -51,7 +51,8 @@ TEST_F(JsonFile, TextThatIsNoUtf8StillWrites) {
 }
 
 TEST(JsonReader, ReadsValues) {
-  const Json json = Json::parse(R"({"n": 2.5, "i": -3, "b": true, "t": "x", "v": [1, 2, 3], "w": [4, 5],
+  const Json json =
+      Json::parse(R"({"n": 2.5, "i": -3, "b": true, "t": "x", "v": [1, 2, 3], "w": [4, 5],
     "big": 18446744073709551615,
     "pose": {"position": [1, 2, 3], "quaternion": [0.7071067811865476, 0, 0, 0.7071067811865476]}})");
   const JsonReader reader(json, "f.json");
@@ -79,17 +80,22 @@ TEST(JsonReader, ErrorsNameThePlace) {
             "scene.json: instances[0].size[1]: must lie in 0 .. 9, is -1");
   EXPECT_EQ(data_error([&] { (void)instance(1).number(); }),
             "scene.json: instances[1].size: must be a number, is \"big\"");
-  EXPECT_EQ(data_error([&] { (void)instance(0).vector3(); }), "scene.json: instances[0].size: must be three numbers");
+  EXPECT_EQ(data_error([&] { (void)instance(0).vector3(); }),
+            "scene.json: instances[0].size: must be three numbers");
   EXPECT_EQ(data_error([&] { (void)r.at("none"); }), "scene.json: 'none' is missing");
-  EXPECT_EQ(data_error([&] { (void)r.at("instances").at(2); }), "scene.json: instances: has no element 2");
+  EXPECT_EQ(data_error([&] { (void)r.at("instances").at(2); }),
+            "scene.json: instances: has no element 2");
   EXPECT_EQ(data_error([&] { (void)r.at("q").text(); }), "scene.json: q: must be a text, is 1");
   EXPECT_EQ(data_error([&] { (void)r.at("q").size(); }), "scene.json: q: must be a list");
   EXPECT_EQ(data_error([&] { (void)r.at("q").at("x"); }), "scene.json: q: must be an object");
   EXPECT_NE(data_error([&] { (void)r.at("big").integer(); }).find("too large"), std::string::npos);
-  EXPECT_NE(data_error([&] { (void)instance(0).at(1).natural(); }).find("whole number from 0"), std::string::npos);
-  EXPECT_NE(data_error([&] { (void)r.at("pose").pose(); }).find("must have length 1"), std::string::npos);
-  EXPECT_NE(data_error([&] { r.only({"instance", "q", "pose", "big"}); })
-                .find("unknown key 'instances'; did you mean 'instance'?"),
+  EXPECT_NE(data_error([&] { (void)instance(0).at(1).natural(); }).find("whole number from 0"),
+            std::string::npos);
+  EXPECT_NE(data_error([&] { (void)r.at("pose").pose(); }).find("must have length 1"),
+            std::string::npos);
+  EXPECT_NE(data_error([&] {
+              r.only({"instance", "q", "pose", "big"});
+            }).find("unknown key 'instances'; did you mean 'instance'?"),
             std::string::npos);
 }
 

@@ -25,7 +25,8 @@ TEST(Math, LogAgainstLongDouble) {
     EXPECT_LT(relative_error(portable_log(x), std::log(static_cast<long double>(x))), 1e-15) << x;
   }
   EXPECT_EQ(portable_log(1.0), 0.0);
-  EXPECT_LT(relative_error(portable_log(5e-324), std::log(static_cast<long double>(5e-324))), 1e-15);
+  EXPECT_LT(relative_error(portable_log(5e-324), std::log(static_cast<long double>(5e-324))),
+            1e-15);
 }
 
 TEST(Math, LogNearOneKeepsItsRelativeError) {

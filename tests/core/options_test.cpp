@@ -69,17 +69,22 @@ TEST(Options, ErrorsNameTheOptionAndHelp) {
   outer.describe(list);
   EXPECT_EQ(usage_error([&] { list.set("lidar.sgima", "1"); }),
             "unknown option 'lidar.sgima'; did you mean 'lidar.sigma'?");
-  EXPECT_EQ(usage_error([&] { list.set("lidar.sigma", "2"); }), "option lidar.sigma: 2 is outside 0 .. 1 m");
-  EXPECT_EQ(usage_error([&] { list.set("lidar.sigma", "nan"); }).substr(0, 26), "option lidar.sigma: nan is");
+  EXPECT_EQ(usage_error([&] { list.set("lidar.sigma", "2"); }),
+            "option lidar.sigma: 2 is outside 0 .. 1 m");
+  EXPECT_EQ(usage_error([&] { list.set("lidar.sigma", "nan"); }).substr(0, 26),
+            "option lidar.sigma: nan is");
   EXPECT_EQ(usage_error([&] { list.set("lidar.lines", "1.5"); }),
             "option lidar.lines: '1.5' is not a whole number");
   EXPECT_EQ(usage_error([&] { list.set("lidar.lines", "9999999999"); }),
             "option lidar.lines: '9999999999' is not a whole number");
-  EXPECT_EQ(usage_error([&] { list.set("seed", "-1"); }), "option seed: '-1' is not a whole number");
-  EXPECT_EQ(usage_error([&] { list.set("merge", "maybe"); }), "option merge: 'maybe' is neither true nor false");
+  EXPECT_EQ(usage_error([&] { list.set("seed", "-1"); }),
+            "option seed: '-1' is not a whole number");
+  EXPECT_EQ(usage_error([&] { list.set("merge", "maybe"); }),
+            "option merge: 'maybe' is neither true nor false");
   EXPECT_EQ(usage_error([&] { list.set("echo", "lst"); }),
             "option echo: 'lst' is not a choice; did you mean 'last'?");
-  EXPECT_EQ(usage_error([&] { list.set_assignment("=3"); }), "'=3' is no assignment; write name=value");
+  EXPECT_EQ(usage_error([&] { list.set_assignment("=3"); }),
+            "'=3' is no assignment; write name=value");
   EXPECT_EQ(outer.lidar.sigma, 0.01);
 }
 
@@ -109,8 +114,10 @@ TEST(Options, MarkdownHasOneRowAnOption) {
   OptionList list;
   outer.describe(list);
   const std::string table = list.to_markdown();
-  EXPECT_NE(table.find("| `lidar.sigma` | 0.01 | m | 0 .. 1 | noise of the range |"), std::string::npos);
-  EXPECT_NE(table.find("| `echo` | first |  | first, strongest, last | which echo |"), std::string::npos);
+  EXPECT_NE(table.find("| `lidar.sigma` | 0.01 | m | 0 .. 1 | noise of the range |"),
+            std::string::npos);
+  EXPECT_NE(table.find("| `echo` | first |  | first, strongest, last | which echo |"),
+            std::string::npos);
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 7);
 }
 

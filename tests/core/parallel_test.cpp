@@ -40,7 +40,8 @@ TEST(Parallel, BlockBordersDoNotDependOnThreads) {
 TEST(Parallel, OneThreadMeansOne) {
   const ThreadLimit limit(1);
   std::vector<std::thread::id> ids(64);
-  parallel_blocks(64, 1, [&](std::size_t begin, std::size_t) { ids[begin] = std::this_thread::get_id(); });
+  parallel_blocks(64, 1,
+                  [&](std::size_t begin, std::size_t) { ids[begin] = std::this_thread::get_id(); });
   EXPECT_EQ(std::set<std::thread::id>(ids.begin(), ids.end()).size(), 1U);
 }
 
@@ -51,7 +52,8 @@ TEST(Parallel, AWaitingThreadDoesNotBeginAnotherOuterBlock) {
   parallel_blocks(200, 1, [&](std::size_t, std::size_t) {
     ++depth;
     int seen = deepest.load();
-    while (depth > seen && !deepest.compare_exchange_weak(seen, depth)) {}
+    while (depth > seen && !deepest.compare_exchange_weak(seen, depth)) {
+    }
     parallel_blocks(50, 1, [&](std::size_t, std::size_t) {
       volatile double x = 1.0;
       for (int i = 0; i < 2000; ++i) x = x * 1.0000001;

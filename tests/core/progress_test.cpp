@@ -11,11 +11,15 @@ namespace {
 
 TEST(Progress, LineHasShareRateAndTimeLeft) {
   EXPECT_EQ(progress_line("scans", 250, 1000, 10.0), "scans 250/1000 (25 %), 25.0/s, 30 s left");
-  EXPECT_EQ(progress_line("scans", 999, 100000, 10.0), "scans 999/100000 (0 %), 99.9/s, 16 min 31 s left");
-  EXPECT_EQ(progress_line("scenes", 1, 1000, 30.0), "scenes 1/1000 (0 %), 0.0333/s, 8 h 19 min left");
+  EXPECT_EQ(progress_line("scans", 999, 100000, 10.0),
+            "scans 999/100000 (0 %), 99.9/s, 16 min 31 s left");
+  EXPECT_EQ(progress_line("scenes", 1, 1000, 30.0),
+            "scenes 1/1000 (0 %), 0.0333/s, 8 h 19 min left");
   EXPECT_EQ(progress_line("scenes", 0, 5, 3.0), "scenes 0/5 (0 %)");
   EXPECT_EQ(progress_line("scenes", 5, 5, 5.0), "scenes 5/5 (100 %), 1.00/s, 0 s left");
-  EXPECT_EQ(progress_line("scans", 600, 1000, 10.0, 500), "scans 600/1000 (60 %), 10.0/s, 40 s left") << "resumed at 500";
+  EXPECT_EQ(progress_line("scans", 600, 1000, 10.0, 500),
+            "scans 600/1000 (60 %), 10.0/s, 40 s left")
+      << "resumed at 500";
   EXPECT_EQ(progress_line("points", 7, 0, 7.0), "points 7, 1.00/s");
 }
 

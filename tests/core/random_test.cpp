@@ -25,7 +25,8 @@ TEST(Random, StreamsDifferByEachArgument) {
   std::set<std::uint64_t> seeds;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     for (const char* name : {"scene", "scan", "", "scene "}) {
-      for (std::uint64_t index = 0; index < 20; ++index) seeds.insert(stream_seed(seed, name, index));
+      for (std::uint64_t index = 0; index < 20; ++index)
+        seeds.insert(stream_seed(seed, name, index));
     }
   }
   EXPECT_EQ(seeds.size(), 20U * 4U * 20U);
@@ -52,7 +53,8 @@ double kolmogorov_smirnov(std::vector<double> probabilities) {
   double distance = 0.0;
   for (std::size_t i = 0; i < probabilities.size(); ++i) {
     const auto rank = static_cast<double>(i);
-    distance = std::max({distance, probabilities[i] - rank / n, (rank + 1.0) / n - probabilities[i]});
+    distance =
+        std::max({distance, probabilities[i] - rank / n, (rank + 1.0) / n - probabilities[i]});
   }
   return std::sqrt(n) * distance;
 }

@@ -18,7 +18,8 @@ TEST(Text, EditDistanceCountsInsertDeleteReplaceSwap) {
 TEST(Text, EditDistanceIsSymmetric) {
   const std::vector<std::string> words = {"table", "bale", "tabel", "", "x", "cabinet"};
   for (const auto& a : words) {
-    for (const auto& b : words) EXPECT_EQ(edit_distance(a, b), edit_distance(b, a)) << a << " " << b;
+    for (const auto& b : words)
+      EXPECT_EQ(edit_distance(a, b), edit_distance(b, a)) << a << " " << b;
   }
 }
 

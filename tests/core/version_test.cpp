@@ -11,7 +11,8 @@ namespace {
 
 TEST(Version, IsThatOfTheProject) {
   const std::string lists = read_file(std::string(SCANCHOR_SOURCE_DIR) + "/CMakeLists.txt");
-  EXPECT_NE(lists.find(std::string("project(scanchor VERSION ") + scanchor_version + " "), std::string::npos);
+  EXPECT_NE(lists.find(std::string("project(scanchor VERSION ") + scanchor_version + " "),
+            std::string::npos);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// The whole chain on offices nobody looked at while the descriptions were written: what is found has to stay found.
+// The whole chain on offices nobody looked at while the descriptions were written: what is found
+// has to stay found.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,9 @@ class Chain : public ::testing::Test {
     suite.lidar.range_sigma = 0.01;
     RunOptions options;
     options.split = "valid";
-    result = new RunResult(run_suite(suite, own_method({}, find_ontology(SCANCHOR_SOURCE_DIR "/ontologies/office.sdl"), {}), options));
+    result = new RunResult(run_suite(
+        suite, own_method({}, find_ontology(SCANCHOR_SOURCE_DIR "/ontologies/office.sdl"), {}),
+        options));
   }
   static void TearDownTestSuite() {
     delete result;
@@ -42,13 +45,15 @@ TEST_F(Chain, FindsWhatBoundsTheRoom) {
   EXPECT_GE(of("wall").recall(), 0.7);
 }
 
-// Measured on 12 rooms of suite seed 50: desks 36 %, monitors 41 %, radiators 60 % found; the limits leave room for chance in ten
-// other rooms. Shelves are not held here: 1 of 21 was found in 24 rooms (docs/why/semantics.md).
+// Measured on 12 rooms of suite seed 50: desks 36 %, monitors 41 %, radiators 60 % found; the
+// limits leave room for chance in ten other rooms. Shelves are not held here: 1 of 21 was found in
+// 24 rooms (docs/why/semantics.md).
 TEST_F(Chain, FindsDesksAndWhatStandsOnThem) {
   EXPECT_GE(of("desk").recall(), 0.25) << of("desk").found << " of " << of("desk").truths;
   EXPECT_GE(of("monitor").recall(), 0.3) << of("monitor").found << " of " << of("monitor").truths;
   EXPECT_GE(of("monitor").precision(), 0.8);
-  EXPECT_GE(of("radiator").recall(), 0.4) << of("radiator").found << " of " << of("radiator").truths;
+  EXPECT_GE(of("radiator").recall(), 0.4)
+      << of("radiator").found << " of " << of("radiator").truths;
 }
 
 }  // namespace

@@ -72,7 +72,9 @@ int alarms(int scenes, double drop, int trials) {
 TEST(Gate, RaisesFewAlarmsWhenNothingChanged) {
   EXPECT_LE(alarms(100, 0.0, 1000), 50);
 }  // 5 % of 1000; with 120 trials chance alone gives 2 to 10
-TEST(Gate, CatchesTwoPointsWithHundredScenes) { EXPECT_GE(alarms(100, 0.02, 200), 185); }  // 95.8 % measured
+TEST(Gate, CatchesTwoPointsWithHundredScenes) {
+  EXPECT_GE(alarms(100, 0.02, 200), 185);
+}  // 95.8 % measured
 TEST(Gate, CatchesOnePointWithTwoHundredScenes) {
   EXPECT_GE(alarms(200, 0.01, 200), 143);
 }  // 77.7 % measured - 2 standard deviations

@@ -147,8 +147,7 @@ double coco_by_definition(const std::vector<Masks>& scans, double threshold) {
       right += all[i].right;
       // Without tolerance: numpy's linspace has 0.35000000000000003 for 35 %, which 7 of 20 do not
       // reach, and published figures carry that.
-      if (right / truths >= 0.01 * step)
-        best = std::max(best, right / static_cast<double>(i + 1));
+      if (right / truths >= 0.01 * step) best = std::max(best, right / static_cast<double>(i + 1));
     }
     area += best / 101.0;
   }

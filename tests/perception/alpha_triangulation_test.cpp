@@ -32,7 +32,8 @@ TEST(Triangulation, NoPointLiesInACircumcircle) {
     for (const auto& p : points) {
       const Eigen::Vector2d w = p - a;
       Eigen::Matrix3d m;
-      m << u.x(), u.y(), u.squaredNorm(), v.x(), v.y(), v.squaredNorm(), w.x(), w.y(), w.squaredNorm();
+      m << u.x(), u.y(), u.squaredNorm(), v.x(), v.y(), v.squaredNorm(), w.x(), w.y(),
+          w.squaredNorm();
       EXPECT_GE(m.determinant(), -1e-12);  // positive: outside, for a counter-clockwise triangle
     }
   }
@@ -60,7 +61,8 @@ TEST(Triangulation, DuplicatesAndLinesAreNoTrouble) {
 }
 
 TEST(Triangulation, APermutationOfALatticeGivesTheSameTriangles) {
-  // A lattice: every four neighbours lie on one circle, so the choice of the diagonal must come from the points and not their order.
+  // A lattice: every four neighbours lie on one circle, so the choice of the diagonal must come
+  // from the points and not their order.
   std::vector<Eigen::Vector2d> points;
   for (int y = 0; y < 12; ++y) {
     for (int x = 0; x < 12; ++x) points.emplace_back(x, y);
@@ -79,7 +81,8 @@ TEST(Triangulation, APermutationOfALatticeGivesTheSameTriangles) {
   EXPECT_EQ(expected.size(), 2U * 11 * 11);
   SequentialRandom random(8);
   for (int round = 0; round < 3; ++round) {
-    for (std::size_t i = points.size(); i > 1; --i) std::swap(points[i - 1], points[random.below(static_cast<std::uint32_t>(i))]);
+    for (std::size_t i = points.size(); i > 1; --i)
+      std::swap(points[i - 1], points[random.below(static_cast<std::uint32_t>(i))]);
     EXPECT_EQ(as_set(points), expected);
   }
 }
@@ -91,7 +94,8 @@ TEST(HilbertOrder, NeighboursInTheOrderAreNearInThePlane) {
   std::sort(sorted.begin(), sorted.end());
   for (std::uint32_t i = 0; i < sorted.size(); ++i) ASSERT_EQ(sorted[i], i);
   double along = 0.0;
-  for (std::size_t i = 1; i < order.size(); ++i) along += (points[order[i]] - points[order[i - 1]]).norm();
+  for (std::size_t i = 1; i < order.size(); ++i)
+    along += (points[order[i]] - points[order[i - 1]]).norm();
   // A random order would walk 0.52 a step, 2,085 in all; the curve about 0.92 sqrt(n) = 58.
   EXPECT_LT(along, 90.0);
 }

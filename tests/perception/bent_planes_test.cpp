@@ -13,13 +13,15 @@
 namespace scanchor {
 namespace {
 
-// A ceiling of 4 x 4 m that a sensor bends by 25 mm, noise of 3 mm; `step`: what x > 0 lies higher [m].
+// A ceiling of 4 x 4 m that a sensor bends by 25 mm, noise of 3 mm; `step`: what x > 0 lies higher
+// [m].
 PointCloud ceiling(double sagitta, double step) {
   SequentialRandom random(1);
   PointCloud cloud;
   for (int i = 0; i < 30000; ++i) {
     const double x = random.uniform(-2.0, 2.0), y = random.uniform(-2.0, 2.0);
-    cloud.points.emplace_back(x, y, 2.5 + sagitta * x * x / 4.0 + (x > 0.0 ? step : 0.0) + 0.003 * random.normal());
+    cloud.points.emplace_back(
+        x, y, 2.5 + sagitta * x * x / 4.0 + (x > 0.0 ? step : 0.0) + 0.003 * random.normal());
   }
   return cloud;
 }
@@ -39,7 +41,8 @@ TEST(BentPlanes, ABentCeilingIsOneSurface) {
 }
 
 TEST(BentPlanes, AStepStaysAStep) {
-  for (const auto& surface : planes_of(ceiling(0.025, 0.05)).surfaces) EXPECT_LT(surface.inliers.size(), 16500U);
+  for (const auto& surface : planes_of(ceiling(0.025, 0.05)).surfaces)
+    EXPECT_LT(surface.inliers.size(), 16500U);
 }
 
 // The gate: simulated rooms stay far below it, at any noise.

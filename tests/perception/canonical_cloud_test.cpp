@@ -83,7 +83,8 @@ TEST(CanonicalCloud, EqualPointsAreKeptOnce) {
   EXPECT_EQ(cloud.size(), 100U);
   EXPECT_EQ(cloud.source.size(), points.size());
   std::uint32_t most = 0;
-  for (std::size_t i = 0; i < cloud.size(); ++i) most = std::max(most, cloud.first[i + 1] - cloud.first[i]);
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    most = std::max(most, cloud.first[i + 1] - cloud.first[i]);
   EXPECT_EQ(most, 3001U);
 }
 

@@ -53,18 +53,22 @@ TEST(CellPlanes, WallsOfABoxAreSixRegions) {
     for (const auto& [key, n] : count) {
       if (key.first == wall && key.second >= 0) most = std::max(most, n);
     }
-    EXPECT_GT(most, 7500) << wall;  // of 10,000: cells that an edge of the box runs through are not flat
+    EXPECT_GT(most, 7500)
+        << wall;  // of 10,000: cells that an edge of the box runs through are not flat
   }
 }
 
 TEST(CellPlanes, ACloudOfPointsInSpaceHasNone) {
   SequentialRandom random(3);
   std::vector<Eigen::Vector3d> points;
-  for (int i = 0; i < 5000; ++i) points.emplace_back(random.uniform(), random.uniform(), random.uniform());
+  for (int i = 0; i < 5000; ++i)
+    points.emplace_back(random.uniform(), random.uniform(), random.uniform());
   const auto cloud = canonical(points);
   std::vector<std::int32_t> region_of_cell;
   const auto labels = cell_planes(cloud, cell_tree(cloud), 0.003, region_of_cell);
-  EXPECT_LT(std::count_if(labels.of_point.begin(), labels.of_point.end(), [](auto l) { return l >= 0; }), 250);
+  EXPECT_LT(
+      std::count_if(labels.of_point.begin(), labels.of_point.end(), [](auto l) { return l >= 0; }),
+      250);
 }
 
 TEST(CellPlanes, ScatterStaysWithinWhatTheNoiseAllows) {

@@ -14,7 +14,8 @@ CanonicalCloud random_cloud(std::size_t n) {
   SequentialRandom random(7);
   std::vector<Eigen::Vector3d> points;
   for (std::size_t i = 0; i < n; ++i) {
-    points.emplace_back(5.0 * random.uniform(), 3.0 * random.uniform(), random.chance(0.5) ? 0.0 : random.uniform());
+    points.emplace_back(5.0 * random.uniform(), 3.0 * random.uniform(),
+                        random.chance(0.5) ? 0.0 : random.uniform());
   }
   std::vector<std::uint32_t> all(n);
   std::iota(all.begin(), all.end(), 0U);
@@ -50,7 +51,8 @@ TEST(CellTree, FindEndsAtTheCellOfAPoint) {
     ASSERT_NE(at, CellTree::none);
     EXPECT_LE(tree.cells[at].begin, p);
     EXPECT_GT(tree.cells[at].end, p);
-    EXPECT_EQ(tree.find(cloud.code[p], 2, never), tree.find(cloud.code[p], 2, [](std::uint32_t) { return false; }));
+    EXPECT_EQ(tree.find(cloud.code[p], 2, never),
+              tree.find(cloud.code[p], 2, [](std::uint32_t) { return false; }));
   }
 }
 
@@ -64,16 +66,20 @@ TEST(CellTree, NeighbourCodesAreTheCellsAround) {
     const std::uint64_t prefix = cloud.code[tree.cells[i].begin] >> shift;
     std::array<int, 3> at{};
     for (int bit = 0; bit < level; ++bit) {
-      for (int axis = 0; axis < 3; ++axis) at[axis] |= static_cast<int>(prefix >> (3 * bit + 2 - axis) & 1U) << bit;
+      for (int axis = 0; axis < 3; ++axis)
+        at[axis] |= static_cast<int>(prefix >> (3 * bit + 2 - axis) & 1U) << bit;
     }
     std::set<std::uint64_t> expected;
     for (int dx = -1; dx <= 1; ++dx) {
       for (int dy = -1; dy <= 1; ++dy) {
         for (int dz = -1; dz <= 1; ++dz) {
           const int x = at[0] + dx, y = at[1] + dy, z = at[2] + dz, side = 1 << level;
-          if ((dx | dy | dz) == 0 || x < 0 || y < 0 || z < 0 || x >= side || y >= side || z >= side) continue;
-          expected.insert((spread_bits(static_cast<std::uint64_t>(x)) << 2 | spread_bits(static_cast<std::uint64_t>(y)) << 1 |
-                           spread_bits(static_cast<std::uint64_t>(z))) << shift);
+          if ((dx | dy | dz) == 0 || x < 0 || y < 0 || z < 0 || x >= side || y >= side || z >= side)
+            continue;
+          expected.insert((spread_bits(static_cast<std::uint64_t>(x)) << 2 |
+                           spread_bits(static_cast<std::uint64_t>(y)) << 1 |
+                           spread_bits(static_cast<std::uint64_t>(z)))
+                          << shift);
         }
       }
     }

@@ -9,7 +9,8 @@
 namespace scanchor {
 namespace {
 
-// Floor and wall meet in an edge. Started with a fifth of the points labelled wrongly, they end on their own planes.
+// Floor and wall meet in an edge. Started with a fifth of the points labelled wrongly, they end on
+// their own planes.
 TEST(ChoosePlanes, MendsLabelsAtAnEdge) {
   SequentialRandom random(1);
   std::vector<Eigen::Vector3d> points;
@@ -23,7 +24,8 @@ TEST(ChoosePlanes, MendsLabelsAtAnEdge) {
   const auto tree = cell_tree(cloud);
   PlaneLabels nothing;
   nothing.of_point.assign(cloud.size(), -1);
-  const auto pool = point_pool(cloud, tree, nothing, std::vector<std::int32_t>(tree.cells.size(), -1), 0.01);
+  const auto pool =
+      point_pool(cloud, tree, nothing, std::vector<std::int32_t>(tree.cells.size(), -1), 0.01);
   std::vector<std::int32_t> truth, label;
   std::vector<Moments> sums(2);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -37,8 +39,10 @@ TEST(ChoosePlanes, MendsLabelsAtAnEdge) {
   for (std::size_t i = 0; i < label.size(); ++i) right += label[i] == truth[i];
   EXPECT_GT(right, label.size() * 97 / 100);
   EXPECT_LT(std::abs(planes[0].plane.normal.dot(planes[1].plane.normal)), 0.01);
-  EXPECT_NEAR(planes[0].moments.n + planes[1].moments.n,
-              static_cast<double>(std::count_if(label.begin(), label.end(), [](auto l) { return l >= 0; })), 1e-9);
+  EXPECT_NEAR(
+      planes[0].moments.n + planes[1].moments.n,
+      static_cast<double>(std::count_if(label.begin(), label.end(), [](auto l) { return l >= 0; })),
+      1e-9);
 }
 
 }  // namespace

@@ -37,12 +37,12 @@ RoomScan room(std::uint64_t seed, double sigma, int beams = 300, int lines = 150
 }
 
 // A rectangle in z = height, centred, on a jittered grid.
-void add_sheet(std::vector<Eigen::Vector3d>& points, SequentialRandom& random, double length, double width, double height,
-               double spacing, double sigma) {
+void add_sheet(std::vector<Eigen::Vector3d>& points, SequentialRandom& random, double length,
+               double width, double height, double spacing, double sigma) {
   for (double x = -0.5 * length; x <= 0.5 * length; x += spacing) {
     for (double y = -0.5 * width; y <= 0.5 * width; y += spacing) {
-      points.emplace_back(x + 0.3 * spacing * random.uniform(), y + 0.3 * spacing * random.uniform(),
-                          height + sigma * random.normal());
+      points.emplace_back(x + 0.3 * spacing * random.uniform(),
+                          y + 0.3 * spacing * random.uniform(), height + sigma * random.normal());
     }
   }
 }
@@ -92,12 +92,14 @@ TEST(FindPlanes, SameBytesForAnyOrderAndThreads) {
     ASSERT_EQ(sizes(one), sizes(two)) << method;
     EXPECT_EQ(one.noise_sigma, two.noise_sigma);
     EXPECT_EQ(one.point_spacing, two.point_spacing);
-    // Surfaces of equal size may change places, since only their point indices tell them apart: compare as sets of planes.
+    // Surfaces of equal size may change places, since only their point indices tell them apart:
+    // compare as sets of planes.
     const auto planes = [](const Surfaces& s) {
       std::vector<std::array<double, 8>> rows;
       for (const auto& f : s.surfaces) {
-        rows.push_back({static_cast<double>(f.inliers.size()), f.plane.normal.x(), f.plane.normal.y(), f.plane.normal.z(),
-                        f.plane.offset, f.plane.residual_sigma, f.plane.centroid_sigma, f.confidence});
+        rows.push_back({static_cast<double>(f.inliers.size()), f.plane.normal.x(),
+                        f.plane.normal.y(), f.plane.normal.z(), f.plane.offset,
+                        f.plane.residual_sigma, f.plane.centroid_sigma, f.confidence});
       }
       std::sort(rows.begin(), rows.end());
       return rows;
@@ -116,7 +118,8 @@ TEST(FindPlanes, SameSurfacesAfterARigidMotion) {
   const Surfaces after = find_planes(scan.cloud, planes_only());
   // Up to rounding: a point on a border may change sides, no more than one in a thousand.
   std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> pairs;
-  for (std::size_t i = 0; i < scan.cloud.size(); ++i) ++pairs[{before.plane_of_point[i], after.plane_of_point[i]}];
+  for (std::size_t i = 0; i < scan.cloud.size(); ++i)
+    ++pairs[{before.plane_of_point[i], after.plane_of_point[i]}];
   std::map<std::int32_t, std::size_t> best;
   for (const auto& [pair, n] : pairs) best[pair.first] = std::max(best[pair.first], n);
   std::size_t same = 0;
@@ -128,16 +131,20 @@ TEST(FindPlanes, SameSurfacesAfterARigidMotion) {
   }
 }
 
-// One binary, nothing re-tuned; told nothing. The bounds are of issue 5, for rooms that no threshold was chosen on;
-// its 16 planes at 2 cm are not reached (13, docs/why/planes.md).
+// One binary, nothing re-tuned; told nothing. The bounds are of issue 5, for rooms that no
+// threshold was chosen on; its 16 planes at 2 cm are not reached (13, docs/why/planes.md).
 TEST(FindPlanes, NoiseFromZeroToFourCentimetres) {
   for (const double sigma : {0.0, 0.005, 0.01, 0.02, 0.04}) {
     const auto scan = room(24, sigma, 500, 200);
     const Surfaces found = find_planes(scan.cloud, planes_only());
-    const auto score = support::score_planes(scan.plane, found.plane_of_point, 0.8, scan.plane.size() / 2000);
+    const auto score =
+        support::score_planes(scan.plane, found.plane_of_point, 0.8, scan.plane.size() / 2000);
     EXPECT_GT(score.recall, sigma > 0.03 ? 0.85 : 0.94) << sigma;
     EXPECT_GT(score.precision, sigma > 0.03 ? 0.85 : 0.94) << sigma;
-    EXPECT_GE(score.correct, sigma > 0.03 ? 8 : sigma > 0.015 ? 12 : 25) << sigma << " of " << score.planes;
+    EXPECT_GE(score.correct, sigma > 0.03    ? 8
+                             : sigma > 0.015 ? 12
+                                             : 25)
+        << sigma << " of " << score.planes;
   }
 }
 
@@ -162,7 +169,8 @@ TEST(FindPlanes, FarFromTheOrigin) {
   for (auto& pose : scan.cloud.sensor_poses) pose.translation() += far;
   const Surfaces there = find_planes(scan.cloud, planes_only());
   std::size_t same = 0;
-  for (std::size_t i = 0; i < scan.cloud.size(); ++i) same += near.plane_of_point[i] == there.plane_of_point[i];
+  for (std::size_t i = 0; i < scan.cloud.size(); ++i)
+    same += near.plane_of_point[i] == there.plane_of_point[i];
   EXPECT_GT(static_cast<double>(same), 0.99 * static_cast<double>(scan.cloud.size()));
   EXPECT_NEAR(near.noise_sigma, there.noise_sigma, 1e-4);
 }
@@ -206,20 +214,24 @@ TEST(FindPlanes, TwoSheetsThreeCentimetresApart) {
     ASSERT_GE(found.surfaces.size(), 2U) << sigma;
     std::vector<std::int32_t> truth(cloud.size(), 1);
     std::fill(truth.begin(), truth.begin() + static_cast<std::ptrdiff_t>(first), 0);
-    // No surface mixes the sheets; at 1 and 5 mm one of them comes out in pieces (docs/why/planes.md).
+    // No surface mixes the sheets; at 1 and 5 mm one of them comes out in pieces
+    // (docs/why/planes.md).
     const auto score = support::score_planes(truth, found.plane_of_point, 0.8, 100);
     EXPECT_GE(score.correct, 1) << sigma;
     for (const auto& surface : found.surfaces) {
       std::size_t low = 0;
       for (const auto i : surface.inliers) low += i < first;
       const std::size_t high = surface.inliers.size() - low;
-      EXPECT_LE(static_cast<double>(std::min(low, high)), 0.02 * static_cast<double>(surface.inliers.size()) + 1.0) << sigma;
+      EXPECT_LE(static_cast<double>(std::min(low, high)),
+                0.02 * static_cast<double>(surface.inliers.size()) + 1.0)
+          << sigma;
     }
   }
 }
 
 TEST(FindPlanes, AVeilOfMixedPixelsIsNoSurface) {
-  // A screen 40 cm before a wall; along its outline every beam that hits both returns something between.
+  // A screen 40 cm before a wall; along its outline every beam that hits both returns something
+  // between.
   SequentialRandom random(4);
   PointCloud cloud;
   add_sheet(cloud.points, random, 2.0, 2.0, 0.0, 0.02, 0.005);
@@ -230,12 +242,15 @@ TEST(FindPlanes, AVeilOfMixedPixelsIsNoSurface) {
     const double t = random.uniform(), side = random.uniform();
     const double x = t < 0.5 ? (side < 0.5 ? -0.31 : 0.31) : random.uniform(-0.31, 0.31);
     const double y = t < 0.5 ? random.uniform(-0.21, 0.21) : (side < 0.5 ? -0.21 : 0.21);
-    cloud.points.emplace_back(x + 0.004 * random.normal(), y + 0.004 * random.normal(), random.uniform(0.02, 0.38));
+    cloud.points.emplace_back(x + 0.004 * random.normal(), y + 0.004 * random.normal(),
+                              random.uniform(0.02, 0.38));
   }
   const Surfaces found = find_planes(cloud, planes_only("default", 0.005));
   ASSERT_GE(found.surfaces.size(), 2U);
-  EXPECT_NEAR(static_cast<double>(found.surfaces[0].inliers.size()), static_cast<double>(wall), 0.03 * wall);
-  EXPECT_NEAR(static_cast<double>(found.surfaces[1].inliers.size()), static_cast<double>(screen), 0.05 * screen);
+  EXPECT_NEAR(static_cast<double>(found.surfaces[0].inliers.size()), static_cast<double>(wall),
+              0.03 * wall);
+  EXPECT_NEAR(static_cast<double>(found.surfaces[1].inliers.size()), static_cast<double>(screen),
+              0.05 * screen);
   EXPECT_GT(std::abs(found.surfaces[1].plane.normal.z()), 0.9995);  // the veil has not tilted it
 }
 
@@ -244,13 +259,15 @@ TEST(FindPlanes, NoPlaneOnASphereWithConfidence) {
   for (const double sigma : {0.0, 0.002, 0.01}) {
     PointCloud cloud;
     for (int i = 0; i < 4000; ++i) {
-      const Eigen::Vector3d d = Eigen::Vector3d(random.normal(), random.normal(), random.normal()).normalized();
+      const Eigen::Vector3d d =
+          Eigen::Vector3d(random.normal(), random.normal(), random.normal()).normalized();
       cloud.points.push_back((0.2 + sigma * random.normal()) * d);
     }
     for (const auto& surface : find_planes(cloud, planes_only("default", sigma)).surfaces) {
       const bool large = surface.inliers.size() > 200;  // 5 % of the sphere
-      EXPECT_TRUE(!large || surface.confidence < 0.5) << sigma << ": " << surface.inliers.size() << " points, confidence "
-                                                      << surface.confidence;
+      EXPECT_TRUE(!large || surface.confidence < 0.5)
+          << sigma << ": " << surface.inliers.size() << " points, confidence "
+          << surface.confidence;
     }
   }
 }

@@ -23,8 +23,10 @@ ShapeScan room(double sigma, std::uint64_t seed = 1) {
   setup.range_sigma = sigma;
   setup.jitter = 0.2;
   setup.seed = seed;
-  return testing::scan_panels({box_panel({3, 2.5, 0}, {1, 0, 0}, {0, 1, 0}, 6, 5), box_panel({6, 2.5, 1.4}, {0, 1, 0}, {0, 0, 1}, 5, 2.8),
-                               box_panel({3, 0, 1.4}, {1, 0, 0}, {0, 0, 1}, 6, 2.8), box_panel({3, 5, 1.4}, {1, 0, 0}, {0, 0, 1}, 6, 2.8),
+  return testing::scan_panels({box_panel({3, 2.5, 0}, {1, 0, 0}, {0, 1, 0}, 6, 5),
+                               box_panel({6, 2.5, 1.4}, {0, 1, 0}, {0, 0, 1}, 5, 2.8),
+                               box_panel({3, 0, 1.4}, {1, 0, 0}, {0, 0, 1}, 6, 2.8),
+                               box_panel({3, 5, 1.4}, {1, 0, 0}, {0, 0, 1}, 6, 2.8),
                                box_panel({3.5, 2.6, 0.75}, {0, 1, 0}, {1, 0, 0}, 1.6, 0.8),
                                box_panel({3.6, 2.25, 1.02}, {0.12, 0.99, 0}, {0, 0, 1}, 0.57, 0.42),
                                box_panel({2.2, 1.0, 0.5}, {1, 0.4, 0}, {-0.4, 1, 0}, 0.5, 0.4)},
@@ -63,9 +65,11 @@ TEST(FindShapes, AnyOrderOfThePointsTheSameBytes) {
     std::vector<std::uint32_t> order(scan.cloud.size());
     std::iota(order.begin(), order.end(), 0U);
     const ShapeScan same = testing::permuted(scan, order);
-    for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(static_cast<std::uint32_t>(i))]);
+    for (std::size_t i = order.size(); i > 1; --i)
+      std::swap(order[i - 1], order[random.below(static_cast<std::uint32_t>(i))]);
     const ShapeScan other = testing::permuted(scan, order);
-    for (const std::string method : {"default", "paper"}) EXPECT_EQ(shapes_of(same, method), shapes_of(other, method));
+    for (const std::string method : {"default", "paper"})
+      EXPECT_EQ(shapes_of(same, method), shapes_of(other, method));
     EXPECT_EQ(shapes_of(same, "default", false), shapes_of(other, "default", false));
   }
 }
@@ -104,7 +108,8 @@ TEST(FindShapes, MovingEverythingChangesNothingButTheFrame) {
   ShapeScan scan = room(0.01);
   ShapeScan moved = scan;
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  T.linear() = Eigen::AngleAxisd(1.1, Eigen::Vector3d(0.3, -0.5, 0.8).normalized()).toRotationMatrix();
+  T.linear() =
+      Eigen::AngleAxisd(1.1, Eigen::Vector3d(0.3, -0.5, 0.8).normalized()).toRotationMatrix();
   T.translation() = Eigen::Vector3d(4, -7, 2);
   for (auto& p : moved.cloud.points) p = T * p;
   for (auto& p : moved.surfaces.sensor_positions) p = T * p;
@@ -120,16 +125,22 @@ TEST(FindShapes, MovingEverythingChangesNothingButTheFrame) {
   for (std::size_t i = 0; i < scan.surfaces.surfaces.size(); ++i) {
     const Surface& a = scan.surfaces.surfaces[i];
     const Surface& b = moved.surfaces.surfaces[i];
-    // The cells of the view turn with the world's axes, so which samples are thinned changes; the edges do not.
+    // The cells of the view turn with the world's axes, so which samples are thinned changes; the
+    // edges do not.
     EXPECT_NEAR(a.area.value, b.area.value, 0.01 * a.area.value + 1e-4);
-    EXPECT_NEAR(a.rectangle.length.value, b.rectangle.length.value, 0.01 * a.rectangle.length.value);
+    EXPECT_NEAR(a.rectangle.length.value, b.rectangle.length.value,
+                0.01 * a.rectangle.length.value);
     EXPECT_EQ(a.is_rectangle, b.is_rectangle);
   }
 }
 
 TEST(FindShapes, FewPointsLinesAndDuplicatesAreSurvived) {
-  for (const auto& points : std::vector<std::vector<Eigen::Vector2d>>{
-           {{0, 0}}, {{0, 0}, {1, 0}}, {{0, 0}, {1, 0}, {0, 1}}, {{0, 0}, {1, 1}, {2, 2}, {3, 3}}, std::vector<Eigen::Vector2d>(2000, {1.0, 2.0})}) {
+  for (const auto& points :
+       std::vector<std::vector<Eigen::Vector2d>>{{{0, 0}},
+                                                 {{0, 0}, {1, 0}},
+                                                 {{0, 0}, {1, 0}, {0, 1}},
+                                                 {{0, 0}, {1, 1}, {2, 2}, {3, 3}},
+                                                 std::vector<Eigen::Vector2d>(2000, {1.0, 2.0})}) {
     for (const std::string method : {"default", "paper"}) {
       ShapeScan scan = testing::flat_scan(points);
       if (scan.surfaces.surfaces.empty()) continue;

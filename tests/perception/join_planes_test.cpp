@@ -20,10 +20,12 @@ GrownPlane patch(SequentialRandom& random, double x0, double height, double slop
 TEST(JoinPlanes, PiecesOfOnePlaneJoinAndOthersDoNot) {
   SequentialRandom random(1);
   const double sigma = 0.01;
-  std::vector<GrownPlane> planes = {patch(random, 0.0, 0.0, 0.0, sigma), patch(random, 0.6, 0.0, 0.0, sigma),
-                                    patch(random, 1.2, 0.03, 0.0, sigma), patch(random, 1.8, 0.0, 0.0, sigma),
-                                    patch(random, 0.0, 0.0, 0.2, sigma)};
-  const auto into = join_planes({{0, 1}, {0, 2}, {0, 4}, {1, 2}, {1, 3}, {2, 3}}, sigma, same_plane, planes);
+  std::vector<GrownPlane> planes = {
+      patch(random, 0.0, 0.0, 0.0, sigma), patch(random, 0.6, 0.0, 0.0, sigma),
+      patch(random, 1.2, 0.03, 0.0, sigma), patch(random, 1.8, 0.0, 0.0, sigma),
+      patch(random, 0.0, 0.0, 0.2, sigma)};
+  const auto into =
+      join_planes({{0, 1}, {0, 2}, {0, 4}, {1, 2}, {1, 3}, {2, 3}}, sigma, same_plane, planes);
   EXPECT_EQ(into, (std::vector<std::int32_t>{0, 0, 2, 0, 4}));
   EXPECT_EQ(planes[0].moments.n, 1200.0);
 }
@@ -45,23 +47,27 @@ TEST(JoinPlanes, SureOnlyWhereThePlaneIsKnown) {
   SequentialRandom random(3);
   const auto a = patch(random, 0.0, 0.0, 0.0, 0.01);
   EXPECT_TRUE(surely_same_plane(a, patch(random, 0.8, 0.0, 0.0, 0.01), 0.01));
-  EXPECT_FALSE(surely_same_plane(a, patch(random, 30.0, 0.0, 0.0, 0.01), 0.01));  // too far to be known
+  EXPECT_FALSE(
+      surely_same_plane(a, patch(random, 30.0, 0.0, 0.0, 0.01), 0.01));  // too far to be known
 }
 
 // An even rectangle of z = 0 from (x0, 0) to (x1, y1).
 GrownPlane top(SequentialRandom& random, double x0, double x1, double y1, double sigma) {
   Moments moments;
-  for (int i = 0; i < 2000; ++i) moments.add(random.uniform(x0, x1), random.uniform(0.0, y1), sigma * random.normal());
+  for (int i = 0; i < 2000; ++i)
+    moments.add(random.uniform(x0, x1), random.uniform(0.0, y1), sigma * random.normal());
   return grown_plane(moments, sigma);
 }
 
 TEST(JoinPlanes, DesksOfOneHeightStayTwoAndAShadowedFloorIsOne) {
   SequentialRandom random(4);
   const double sigma = 0.01;
-  const auto desk = top(random, 0.0, 1.6, 0.8, sigma), other = top(random, 3.1, 4.7, 0.8, sigma);  // 1.5 m apart
+  const auto desk = top(random, 0.0, 1.6, 0.8, sigma),
+             other = top(random, 3.1, 4.7, 0.8, sigma);  // 1.5 m apart
   EXPECT_TRUE(same_plane(desk, other, sigma));
   EXPECT_FALSE(surely_same_plane(desk, other, sigma));
-  const auto floor = top(random, 0.0, 2.0, 4.0, sigma), beyond = top(random, 2.3, 5.0, 4.0, sigma);  // a shadow of 0.3 m
+  const auto floor = top(random, 0.0, 2.0, 4.0, sigma),
+             beyond = top(random, 2.3, 5.0, 4.0, sigma);  // a shadow of 0.3 m
   EXPECT_TRUE(surely_same_plane(floor, beyond, sigma));
 }
 

@@ -31,8 +31,9 @@ TEST(Moments, FitFindsAPlaneAndItsSpreads) {
     EXPECT_NEAR(std::abs(plane.normal.dot(normal)), 1.0, 1e-9);
     EXPECT_NEAR(std::abs(plane.offset), 2.0 * normal.z(), 1e-6);
     EXPECT_LT(plane.variances[0], 1e-6);
-    EXPECT_NEAR(plane.variances[1], 4.0, 1e-6);                  // mean of j^2, j = -3..3
-    EXPECT_NEAR(plane.variances[2], 1.25 * 110.0 / 3.0, 1e-4);   // mean of i^2 is 110/3, stretched by the slope
+    EXPECT_NEAR(plane.variances[1], 4.0, 1e-6);  // mean of j^2, j = -3..3
+    EXPECT_NEAR(plane.variances[2], 1.25 * 110.0 / 3.0,
+                1e-4);  // mean of i^2 is 110/3, stretched by the slope
   }
 }
 

@@ -22,7 +22,8 @@ TEST(Noise, SpacingIsTheMedianOfBruteForce) {
   std::vector<Eigen::Vector3d> points;
   for (int i = 0; i < 900; ++i) {
     const double density = i % 3 == 0 ? 4.0 : 0.5;
-    points.emplace_back(density * random.uniform(), density * random.uniform(), 0.2 * random.uniform());
+    points.emplace_back(density * random.uniform(), density * random.uniform(),
+                        0.2 * random.uniform());
   }
   const auto cloud = canonical(points);
   std::vector<float> nearest;
@@ -61,7 +62,8 @@ TEST(Noise, FlatDataGiveTheLeastThatIsBelieved) {
   const auto scan = support::scan_boxes(support::reference_room(12), grid);
   const auto cloud = canonical(scan.cloud.points);
   const double spacing = median_spacing(cloud);
-  EXPECT_LT(estimate_noise(cloud, cell_tree(cloud), spacing, {}), 2.0 * least_noise(cloud, spacing));
+  EXPECT_LT(estimate_noise(cloud, cell_tree(cloud), spacing, {}),
+            2.0 * least_noise(cloud, spacing));
   EXPECT_GT(least_noise(cloud, spacing), 0.0);
 }
 

@@ -19,7 +19,8 @@ using testing::ShapeScan;
 ShapeScan board_scan(double sigma) {
   ScannerSetup setup;
   setup.range_sigma = sigma;
-  return scan_panels({box_panel({2, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1.0, 0.8), box_panel({5, 0, 0}, {0, 1, 0}, {0, 0, 1}, 20, 20),
+  return scan_panels({box_panel({2, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1.0, 0.8),
+                      box_panel({5, 0, 0}, {0, 1, 0}, {0, 0, 1}, 20, 20),
                       box_panel({1, 0.25, 0}, {0, 1, 0}, {0, 0, 1}, 0.05, 3.0)},
                      setup);
 }
@@ -36,11 +37,13 @@ TEST(OutlineSamples, KindsFollowWhatTheRaysMet) {
   const std::size_t board = surface_of(scan, 0);
   const Surface& s = scan.surfaces.surfaces[board];
   const ShapeView view(scan.cloud, {0, 0, 0}, scan.surfaces.plane_of_point);
-  const OutlineSamples samples = samples_with_view(scan.cloud, view, scan.surfaces, s, s.T_cloud_surface, 0.035);
+  const OutlineSamples samples =
+      samples_with_view(scan.cloud, view, scan.surfaces, s, s.T_cloud_surface, 0.035);
   std::array<int, 4> counts{};
   for (const OutlineSample& sample : samples.samples) {
     ++counts[static_cast<std::size_t>(sample.kind)];
-    const int panel = scan.panel_of_surface[static_cast<std::size_t>(scan.surfaces.plane_of_point[sample.point])];
+    const int panel =
+        scan.panel_of_surface[static_cast<std::size_t>(scan.surfaces.plane_of_point[sample.point])];
     if (panel == 0) {
       EXPECT_EQ(sample.kind, SampleKind::inside);
     }
@@ -54,7 +57,8 @@ TEST(OutlineSamples, KindsFollowWhatTheRaysMet) {
   EXPECT_GT(counts[0], 500);
   EXPECT_GT(counts[1], 100);
   EXPECT_GT(counts[2], 50);
-  EXPECT_LT(static_cast<std::size_t>(counts[0]), s.inliers.size()) << "cells deep inside are thinned";
+  EXPECT_LT(static_cast<std::size_t>(counts[0]), s.inliers.size())
+      << "cells deep inside are thinned";
 }
 
 TEST(OutlineSamples, RangeNoiseDoesNotMoveThemAlongThePlane) {
@@ -64,7 +68,8 @@ TEST(OutlineSamples, RangeNoiseDoesNotMoveThemAlongThePlane) {
   const std::size_t board = surface_of(clean, 0);
   const Surface& s = clean.surfaces.surfaces[board];
   const ShapeView view(noisy.cloud, {0, 0, 0}, clean.surfaces.plane_of_point);
-  const OutlineSamples samples = samples_with_view(noisy.cloud, view, clean.surfaces, s, s.T_cloud_surface, 0.2);
+  const OutlineSamples samples =
+      samples_with_view(noisy.cloud, view, clean.surfaces, s, s.T_cloud_surface, 0.2);
   int checked = 0;
   for (const OutlineSample& sample : samples.samples) {
     if (sample.kind != SampleKind::inside) continue;
@@ -79,7 +84,8 @@ TEST(OutlineSamples, TheChartIsAProjectiveImageOfThePlane) {
   const ShapeScan scan = board_scan(0.0);
   const Surface& s = scan.surfaces.surfaces[surface_of(scan, 0)];
   const ShapeView view(scan.cloud, {0, 0, 0}, scan.surfaces.plane_of_point);
-  const OutlineSamples samples = samples_with_view(scan.cloud, view, scan.surfaces, s, s.T_cloud_surface, 1e-6);
+  const OutlineSamples samples =
+      samples_with_view(scan.cloud, view, scan.surfaces, s, s.T_cloud_surface, 1e-6);
   for (const OutlineSample& sample : samples.samples) {
     if (!sample.reachable) continue;
     Eigen::Vector2d plane;

@@ -28,7 +28,8 @@ Outlined outline_of_first(const std::vector<Panel>& panels, ScannerSetup setup =
     if (result.scan.panel_of_surface[i] != 0) continue;
     const Surface& s = result.scan.surfaces.surfaces[i];
     const ShapeView view(result.scan.cloud, setup.position, result.scan.surfaces.plane_of_point);
-    const OutlineSamples samples = samples_with_view(result.scan.cloud, view, result.scan.surfaces, s, s.T_cloud_surface, 1e-4);
+    const OutlineSamples samples = samples_with_view(result.scan.cloud, view, result.scan.surfaces,
+                                                     s, s.T_cloud_surface, 1e-4);
     result.outline = find_outline(result.scan.cloud, result.scan.surfaces, s, samples, 1e-4);
   }
   return result;
@@ -48,7 +49,9 @@ std::map<EdgeKind, double> length_by_kind(const Outline& outline) {
   std::map<EdgeKind, double> length;
   for (const BoundaryRing& ring : outline.rings) {
     for (std::size_t i = 0; i < ring.nodes.size(); ++i) {
-      length[ring.kinds[i]] += (outline.nodes[ring.nodes[(i + 1) % ring.nodes.size()]].position - outline.nodes[ring.nodes[i]].position).norm();
+      length[ring.kinds[i]] += (outline.nodes[ring.nodes[(i + 1) % ring.nodes.size()]].position -
+                                outline.nodes[ring.nodes[i]].position)
+                                   .norm();
     }
   }
   return length;
@@ -60,7 +63,8 @@ TEST(Outline, RunsHalfWayBetweenHitAndMiss) {
   double bias = 0.0;
   for (int k = 0; k < 10; ++k) {
     const double width = 0.8 + 0.0073 * k;  // other phases of the rays each time
-    const auto outlined = outline_of_first({box_panel({2, 0.1, 0.05}, {0.2, 1, 0.1}, {0, 0, 1}, 1.0, width), wall});
+    const auto outlined =
+        outline_of_first({box_panel({2, 0.1, 0.05}, {0.2, 1, 0.1}, {0, 0, 1}, 1.0, width), wall});
     EXPECT_NEAR(area(outlined.outline), width, 0.02 * width);
     bias += (area(outlined.outline) / width - 1.0) / 10.0;
     EXPECT_NEAR(length_by_kind(outlined.outline)[EdgeKind::occlusion], 0.0, 1e-9);
@@ -82,7 +86,9 @@ TEST(Outline, AWindowIsAHoleOfTrueEdges) {
 
 TEST(Outline, AShadowIsToldFromAnEdge) {
   // A post half-way hides a vertical strip 0.2 m wide of the board.
-  const auto outlined = outline_of_first({box_panel({2, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1.0, 0.8), wall, box_panel({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.1, 3.0)});
+  const auto outlined =
+      outline_of_first({box_panel({2, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1.0, 0.8), wall,
+                        box_panel({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.1, 3.0)});
   EXPECT_EQ(outlined.outline.rings.size(), 2U) << "two pieces";
   auto length = length_by_kind(outlined.outline);
   // The raw outline is a little longer than the edges, for it wavers.
@@ -97,7 +103,8 @@ TEST(Outline, TheEndOfTheViewIsNoEdge) {
   setup.azimuth_from_deg = -40;
   setup.azimuth_to_deg = 10;
   setup.beams = 150;
-  const auto outlined = outline_of_first({box_panel({2, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1.6, 0.8), wall}, setup);
+  const auto outlined =
+      outline_of_first({box_panel({2, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1.6, 0.8), wall}, setup);
   auto length = length_by_kind(outlined.outline);
   EXPECT_NEAR(length[EdgeKind::view_limit], 0.8, 0.1);
   EXPECT_EQ(length[EdgeKind::occlusion], 0.0);
@@ -113,7 +120,8 @@ TEST(Outline, WhereAWallMeetsTheFloorTheFloorEnds) {
   EXPECT_NEAR(alone[EdgeKind::occlusion], 0.0, 0.05);
   const Panel front = box_panel({1.5, 0, 0.2}, {0, 1, 0}, {0, 0, 1}, 0.5, 0.4);
   auto shaded = length_by_kind(outline_of_first({floor, end, front}, setup).outline);
-  // Two sides and the far end of the shadow: it is 0.6 m deep (0.4 of 1.4 m high at 1.5 m), widening from 0.5 to 0.7 m.
+  // Two sides and the far end of the shadow: it is 0.6 m deep (0.4 of 1.4 m high at 1.5 m),
+  // widening from 0.5 to 0.7 m.
   EXPECT_NEAR(shaded[EdgeKind::occlusion], 0.61 + 0.61 + 0.7, 0.35);
 }
 
@@ -121,19 +129,24 @@ TEST(Outline, RowsFarApartAtAGrazingAngleAreOneSurface) {
   // A desk top seen from 10 cm above it: rows up to 30 cm apart, points of a row 1 cm.
   ScannerSetup setup;
   setup.position = {0, 0, 0.85};
-  const auto outlined = outline_of_first({box_panel({2.4, 0, 0.75}, {1, 0, 0}, {0, 1, 0}, 1.6, 0.8), wall,
-                                          box_panel({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 20, 20)}, setup);
+  const auto outlined = outline_of_first({box_panel({2.4, 0, 0.75}, {1, 0, 0}, {0, 1, 0}, 1.6, 0.8),
+                                          wall, box_panel({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 20, 20)},
+                                         setup);
   EXPECT_EQ(outlined.outline.rings.size(), 1U);
-  EXPECT_NEAR(area(outlined.outline), 1.28, 0.3) << "five rows in all: each end is known to half of one";
+  EXPECT_NEAR(area(outlined.outline), 1.28, 0.3)
+      << "five rows in all: each end is known to half of one";
 }
 
 TEST(Outline, WithoutAViewItEndsHalfACellOutside) {
   double bias = 0.0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Panel panel = box_panel({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1.0, 0.7);
-    const ShapeScan scan = testing::flat_scan(testing::lattice_in(panel, 0.03, 0.03, 0.1 * static_cast<double>(seed), 0.1, seed));
+    const ShapeScan scan = testing::flat_scan(
+        testing::lattice_in(panel, 0.03, 0.03, 0.1 * static_cast<double>(seed), 0.1, seed));
     const Surface& s = scan.surfaces.surfaces.front();
-    const Outline outline = find_outline(scan.cloud, scan.surfaces, s, samples_without_view(flatten(scan.cloud, s), s.T_cloud_surface), 1e-6);
+    const Outline outline =
+        find_outline(scan.cloud, scan.surfaces, s,
+                     samples_without_view(flatten(scan.cloud, s), s.T_cloud_surface), 1e-6);
     bias += (area(outline) / 0.7 - 1.0) / 20.0;
     EXPECT_GT(length_by_kind(outline)[EdgeKind::unknown], 3.0);
   }

@@ -17,19 +17,24 @@ std::vector<Eigen::Vector3d> corner(double sigma) {
   SequentialRandom random(1);
   std::vector<Eigen::Vector3d> points;
   for (int i = 0; i < 3000; ++i) {
-    const double u = random.uniform(0.02, 1.0), v = random.uniform(0.02, 1.0), w = sigma * random.normal();
-    points.push_back(i % 3 == 0 ? Eigen::Vector3d(u, v, w) : i % 3 == 1 ? Eigen::Vector3d(u, w, v) : Eigen::Vector3d(w, u, v));
+    const double u = random.uniform(0.02, 1.0), v = random.uniform(0.02, 1.0),
+                 w = sigma * random.normal();
+    points.push_back(i % 3 == 0   ? Eigen::Vector3d(u, v, w)
+                     : i % 3 == 1 ? Eigen::Vector3d(u, w, v)
+                                  : Eigen::Vector3d(w, u, v));
   }
   return points;
 }
 
-std::vector<std::int32_t> regions_of(const std::vector<Eigen::Vector3d>& points, double sigma, const PaperOptions& options) {
+std::vector<std::int32_t> regions_of(const std::vector<Eigen::Vector3d>& points, double sigma,
+                                     const PaperOptions& options) {
   std::vector<std::uint32_t> all(points.size());
   std::iota(all.begin(), all.end(), 0U);
   const auto cloud = canonical_cloud(points, all);
   const auto region = paper_planes(cloud, sigma, options);
   std::vector<std::int32_t> by_source(points.size(), -1);
-  for (std::size_t i = 0; i < cloud.size(); ++i) by_source[cloud.source[cloud.first[i]]] = region[i];
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    by_source[cloud.source[cloud.first[i]]] = region[i];
   return by_source;
 }
 
@@ -51,7 +56,8 @@ TEST(PaperPlanes, ThreeWallsOfACorner) {
   EXPECT_EQ(best.size(), 3U);
 }
 
-// Algorithm 1, line 6: every point of a region lies within gamma of it and the error stays below delta.
+// Algorithm 1, line 6: every point of a region lies within gamma of it and the error stays below
+// delta.
 TEST(PaperPlanes, RegionsKeepTheirBounds) {
   const auto points = corner(0.01);
   const PaperOptions options;
@@ -76,7 +82,8 @@ TEST(PaperPlanes, SeedsAreDrawnFromTheSeed) {
 }
 
 TEST(PaperPlanes, FewPointsAreNoPlane) {
-  EXPECT_EQ(regions_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, 0.01, {}), std::vector<std::int32_t>(4, -1));
+  EXPECT_EQ(regions_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, 0.01, {}),
+            std::vector<std::int32_t>(4, -1));
   EXPECT_TRUE(regions_of({}, 0.01, {}).empty());
 }
 

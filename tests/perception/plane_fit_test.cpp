@@ -16,8 +16,8 @@ struct Patch {
 };
 
 // A rectangle in the plane z = 0, noise across it, then moved.
-Patch noisy_rectangle(SequentialRandom& random, std::size_t n, double length, double width, double sigma,
-                      const Eigen::Isometry3d& pose) {
+Patch noisy_rectangle(SequentialRandom& random, std::size_t n, double length, double width,
+                      double sigma, const Eigen::Isometry3d& pose) {
   Patch patch;
   for (std::size_t i = 0; i < n; ++i) {
     const double x = length * random.uniform(-0.5, 0.5), y = width * random.uniform(-0.5, 0.5);
@@ -28,8 +28,9 @@ Patch noisy_rectangle(SequentialRandom& random, std::size_t n, double length, do
   return patch;
 }
 
-// The claim of reasoning.md 2.2: the true normal lies inside the 95 % ellipse of the covariance, and the true offset within 1.96
-// sigma, in 95 % of the fits. 2000 fits: the standard error is 0.5 %.
+// The claim of reasoning.md 2.2: the true normal lies inside the 95 % ellipse of the covariance,
+// and the true offset within 1.96 sigma, in 95 % of the fits. 2000 fits: the standard error is 0.5
+// %.
 TEST(PlaneFit, CovarianceCoversTheTruth) {
   SequentialRandom random(3);
   const Eigen::Isometry3d pose(Eigen::Translation3d(3, 1, 2) *
@@ -48,7 +49,8 @@ TEST(PlaneFit, CovarianceCoversTheTruth) {
       tangent << x, y;
       const Eigen::Vector2d error = tangent.transpose() * (truth - plane.normal);
       const Eigen::Matrix2d covariance = tangent.transpose() * plane.normal_covariance * tangent;
-      normal_in += error.dot(covariance.inverse() * error) < 5.991;  // chi-square, 2 degrees of freedom
+      normal_in +=
+          error.dot(covariance.inverse() * error) < 5.991;  // chi-square, 2 degrees of freedom
       const double off = truth.dot(plane.centroid - pose.translation());
       offset_in += std::abs(off) < 1.96 * plane.centroid_sigma;
     }
@@ -83,13 +85,15 @@ TEST(PlaneFit, PointsOnALineLeaveTheTiltOpen) {
 
 TEST(PlaneFit, FrameIsRightHandedOnThePlane) {
   SequentialRandom random(5);
-  const Eigen::Isometry3d pose(Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitX()));
+  const Eigen::Isometry3d pose(Eigen::Translation3d(1, 2, 3) *
+                               Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitX()));
   const Patch patch = noisy_rectangle(random, 300, 1.2, 0.4, 0.002, pose);
   const Plane plane = fit_plane(patch.points, patch.all, {Eigen::Vector3d(1, 2, 30)});
   const Eigen::Isometry3d frame = surface_frame(plane, Eigen::Vector3d(-1.0, 0.1, 0.0));
   EXPECT_NEAR(frame.linear().determinant(), 1.0, 1e-9);
   EXPECT_NEAR((frame.linear().col(2) - plane.normal).norm(), 0.0, 1e-12);
-  EXPECT_GT(frame.linear().col(0).x(), 0.99);  // along the axis it was given, largest component positive
+  EXPECT_GT(frame.linear().col(0).x(),
+            0.99);  // along the axis it was given, largest component positive
 }
 
 // Distances from a plane, over a square patch: noise, and a bend onto a ball.
@@ -114,7 +118,7 @@ TEST(PlaneFit, ConfidenceFallsWithCurvature) {
   EXPECT_GT(confidence_of(20.0, 0.01, 3000), 0.9);  // a wall bowed by half a millimetre
   EXPECT_LT(confidence_of(0.2, 0.01, 300), 0.5);
   EXPECT_LT(confidence_of(0.2, 0.001, 300), 0.01);
-  EXPECT_LE(confidence_of(0.0, 0.01, 7), 0.5);      // too few to say
+  EXPECT_LE(confidence_of(0.0, 0.01, 7), 0.5);  // too few to say
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ TEST(PointPool, LeavesCoverThePoolAndLinksAreMutual) {
   std::vector<Eigen::Vector3d> points;
   for (int i = 0; i < 6000; ++i) {
     const bool dense = i % 2 == 0;
-    points.emplace_back(dense ? 0.3 * random.uniform() : 3.0 * random.uniform(), 2.0 * random.uniform(), random.uniform());
+    points.emplace_back(dense ? 0.3 * random.uniform() : 3.0 * random.uniform(),
+                        2.0 * random.uniform(), random.uniform());
   }
   std::vector<std::uint32_t> all(points.size());
   std::iota(all.begin(), all.end(), 0U);
@@ -24,7 +25,8 @@ TEST(PointPool, LeavesCoverThePoolAndLinksAreMutual) {
   PlaneLabels labels;
   labels.of_point.assign(cloud.size(), -1);
   for (std::size_t i = 0; i < cloud.size(); i += 3) labels.of_point[i] = 0;
-  const auto pool = point_pool(cloud, tree, labels, std::vector<std::int32_t>(tree.cells.size(), -1), 0.0);
+  const auto pool =
+      point_pool(cloud, tree, labels, std::vector<std::int32_t>(tree.cells.size(), -1), 0.0);
   EXPECT_EQ(pool.place.size(), 4000U);
   std::size_t covered = 0;
   std::set<std::pair<std::uint32_t, std::uint32_t>> links;
@@ -51,7 +53,9 @@ TEST(PointPool, LeavesCoverThePoolAndLinksAreMutual) {
       if (a == b) continue;
       const auto [low_b, side_b] = corner(b);
       const float slack = 1e-4F;
-      const bool touch = ((low_a.array() <= low_b.array() + side_b + slack) && (low_b.array() <= low_a.array() + side_a + slack)).all();
+      const bool touch = ((low_a.array() <= low_b.array() + side_b + slack) &&
+                          (low_b.array() <= low_a.array() + side_a + slack))
+                             .all();
       EXPECT_EQ(touch, links.count({a, b}) == 1) << a << " " << b;
     }
   }

@@ -7,7 +7,8 @@ namespace {
 
 TEST(PolygonCheck, KnowsSimpleRings) {
   EXPECT_TRUE(is_simple({{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
-  EXPECT_TRUE(is_simple({{0, 0}, {1, 0}, {2, 0}, {1, 1}})) << "a vertex on a straight edge is allowed";
+  EXPECT_TRUE(is_simple({{0, 0}, {1, 0}, {2, 0}, {1, 1}}))
+      << "a vertex on a straight edge is allowed";
   EXPECT_FALSE(is_simple({{0, 0}, {1, 1}, {1, 0}, {0, 1}})) << "bow-tie";
   EXPECT_FALSE(is_simple({{0, 0}, {2, 0}, {1, 0}, {1, 1}})) << "folded back";
   EXPECT_FALSE(is_simple({{0, 0}, {2, 0}, {2, 2}, {1, 0}, {0, 2}})) << "a vertex on another edge";
@@ -22,7 +23,8 @@ TEST(PolygonCheck, HolesMustLieInside) {
   EXPECT_TRUE(is_valid({outer, {hole}, {}}));
   EXPECT_FALSE(is_valid({{outer.rbegin(), outer.rend()}, {hole}, {}})) << "outer ring clockwise";
   EXPECT_FALSE(is_valid({outer, {{hole.rbegin(), hole.rend()}}, {}})) << "hole counter-clockwise";
-  EXPECT_FALSE(is_valid({outer, {{{3, 3}, {3, 5}, {5, 5}, {5, 3}}}, {}})) << "hole across the border";
+  EXPECT_FALSE(is_valid({outer, {{{3, 3}, {3, 5}, {5, 5}, {5, 3}}}, {}}))
+      << "hole across the border";
   EXPECT_FALSE(is_valid({outer, {{{5, 5}, {5, 6}, {6, 6}, {6, 5}}}, {}})) << "hole outside";
   EXPECT_FALSE(is_valid({outer, {hole, hole}, {}})) << "two holes in one place";
 }

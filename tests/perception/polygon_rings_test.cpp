@@ -7,9 +7,11 @@
 namespace scanchor {
 namespace {
 
-std::vector<BoundarySegment> loop(const std::vector<std::uint32_t>& nodes, std::uint32_t component) {
+std::vector<BoundarySegment> loop(const std::vector<std::uint32_t>& nodes,
+                                  std::uint32_t component) {
   std::vector<BoundarySegment> segments;
-  for (std::size_t i = 0; i < nodes.size(); ++i) segments.push_back({nodes[i], nodes[(i + 1) % nodes.size()], component, EdgeKind::true_edge});
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    segments.push_back({nodes[i], nodes[(i + 1) % nodes.size()], component, EdgeKind::true_edge});
   return segments;
 }
 
@@ -51,7 +53,8 @@ TEST(Rings, KindsStayWithTheirEdges) {
   const auto rings = chain_rings(nodes, segments);
   ASSERT_EQ(rings.size(), 1U);
   EXPECT_EQ(rings[0].nodes.front(), 3U) << "begins at the smallest node";
-  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(rings[0].kinds[i] == EdgeKind::occlusion, rings[0].nodes[i] == 1U);
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_EQ(rings[0].kinds[i] == EdgeKind::occlusion, rings[0].nodes[i] == 1U);
 }
 
 TEST(Rings, NothingGivesNothing) { EXPECT_TRUE(chain_rings({}, {}).empty()); }

@@ -16,7 +16,8 @@ RoughRing wavering(double error, std::uint64_t seed) {
     const Eigen::Vector2d d = corners[(c + 1) % 4] - corners[c];
     const Eigen::Vector2d u = d.normalized();
     for (double t = 0.01; t < d.norm() - 0.005; t += 0.01) {
-      ring.points.emplace_back(corners[c] + t * u + random.uniform(-error, error) * Eigen::Vector2d(-u.y(), u.x()));
+      ring.points.emplace_back(corners[c] + t * u +
+                               random.uniform(-error, error) * Eigen::Vector2d(-u.y(), u.x()));
       ring.tolerance.push_back(2.0 * error);
     }
   }
@@ -40,7 +41,8 @@ TEST(Simplify, EveryVertexThatWentIsWithinItsTolerance) {
   RoughRing ring;
   for (int i = 0; i < 200; ++i) {
     const double a = 2.0 * 3.14159265358979 * i / 200.0;
-    ring.points.emplace_back((1.0 + 0.1 * random.uniform()) * std::cos(a), (1.0 + 0.1 * random.uniform()) * std::sin(a));
+    ring.points.emplace_back((1.0 + 0.1 * random.uniform()) * std::cos(a),
+                             (1.0 + 0.1 * random.uniform()) * std::sin(a));
     ring.tolerance.push_back(i < 100 ? 0.02 : 0.2);
   }
   const auto kept = simplify(ring);
@@ -54,13 +56,18 @@ TEST(Simplify, EveryVertexThatWentIsWithinItsTolerance) {
       EXPECT_LE((ring.points[i] - a - t * d).norm(), ring.tolerance[i]);
     }
   }
-  const auto fine = std::count_if(kept.begin(), kept.end(), [](std::uint32_t i) { return i < 100; });
-  EXPECT_GT(fine, 2 * (static_cast<std::ptrdiff_t>(kept.size()) - fine)) << "the tight half needs more vertices";
+  const auto fine =
+      std::count_if(kept.begin(), kept.end(), [](std::uint32_t i) { return i < 100; });
+  EXPECT_GT(fine, 2 * (static_cast<std::ptrdiff_t>(kept.size()) - fine))
+      << "the tight half needs more vertices";
 }
 
 TEST(Simplify, SmallRingsKeepThreeCorners) {
   EXPECT_EQ(simplify({{{0, 0}, {1, 0}, {0, 1}}, {9, 9, 9}}).size(), 3U);
-  EXPECT_EQ(simplify({{{0, 0}, {1, 0.001}, {2, 0}, {3, 0.002}, {4, 0}, {2, -0.001}}, {9, 9, 9, 9, 9, 9}}).size(), 3U);
+  EXPECT_EQ(
+      simplify({{{0, 0}, {1, 0.001}, {2, 0}, {3, 0.002}, {4, 0}, {2, -0.001}}, {9, 9, 9, 9, 9, 9}})
+          .size(),
+      3U);
 }
 
 }  // namespace

@@ -15,8 +15,10 @@ struct Truth {
   Eigen::Vector2d center;
 };
 
-/// Samples of a jittered lattice around a rectangle, sorted into inside and outside after lateral noise; edges off by up to half a gap.
-RectangleEvidence evidence_of(const Truth& truth, double spacing, double sigma, SequentialRandom& random) {
+/// Samples of a jittered lattice around a rectangle, sorted into inside and outside after lateral
+/// noise; edges off by up to half a gap.
+RectangleEvidence evidence_of(const Truth& truth, double spacing, double sigma,
+                              SequentialRandom& random) {
   RectangleEvidence e;
   e.sigma = sigma;
   const Eigen::Vector2d u(std::cos(truth.angle), std::sin(truth.angle));
@@ -29,12 +31,16 @@ RectangleEvidence evidence_of(const Truth& truth, double spacing, double sigma, 
     for (int i = -n; i <= n; ++i) {
       const double x = (i + px) * spacing;
       const double y = (j + py) * spacing;
-      const Eigen::Vector2d p(std::cos(tilt) * x - std::sin(tilt) * y, std::sin(tilt) * x + std::cos(tilt) * y);
-      const double beyond = std::max(std::abs(p.x()) - 0.5 * truth.length, std::abs(p.y()) - 0.5 * truth.width);
+      const Eigen::Vector2d p(std::cos(tilt) * x - std::sin(tilt) * y,
+                              std::sin(tilt) * x + std::cos(tilt) * y);
+      const double beyond =
+          std::max(std::abs(p.x()) - 0.5 * truth.length, std::abs(p.y()) - 0.5 * truth.width);
       const Eigen::Vector2d seen = p + sigma * Eigen::Vector2d(random.normal(), random.normal());
       const Eigen::Vector2d q = truth.center + seen.x() * u + seen.y() * v;
-      if (beyond < 0.0) e.inside.push_back(q);
-      else if (beyond < 1.5 * spacing) e.outside.push_back(q);
+      if (beyond < 0.0)
+        e.inside.push_back(q);
+      else if (beyond < 1.5 * spacing)
+        e.outside.push_back(q);
     }
   }
   const double l = 0.5 * truth.length;
@@ -47,7 +53,8 @@ RectangleEvidence evidence_of(const Truth& truth, double spacing, double sigma, 
     const Eigen::Vector2d d = (b - a).normalized();
     a += shift * Eigen::Vector2d(d.y(), -d.x());
     b += shift * Eigen::Vector2d(d.y(), -d.x());
-    e.edges.push_back({truth.center + a.x() * u + a.y() * v, truth.center + b.x() * u + b.y() * v, EdgeKind::true_edge, spacing, 0.2 * spacing});
+    e.edges.push_back({truth.center + a.x() * u + a.y() * v, truth.center + b.x() * u + b.y() * v,
+                       EdgeKind::true_edge, spacing, 0.2 * spacing});
   }
   return e;
 }
@@ -59,14 +66,19 @@ TEST(RectangleFit, IntervalsCoverTheTruthAndAreNarrow) {
   double bias = 0.0;
   double breadth = 0.0;
   for (int round = 0; round < rounds; ++round) {
-    Truth truth{random.uniform(0.5, 1.5), 0.0, random.uniform(-1.5, 1.5), {random.normal(), random.normal()}};
+    Truth truth{random.uniform(0.5, 1.5),
+                0.0,
+                random.uniform(-1.5, 1.5),
+                {random.normal(), random.normal()}};
     truth.width = truth.length * random.uniform(0.3, 0.9);
     const double spacing = random.uniform(0.01, 0.03);
-    const RectangleFit fit = fit_rectangle(evidence_of(truth, spacing, random.chance(0.5) ? 0.002 : 0.0, random));
+    const RectangleFit fit =
+        fit_rectangle(evidence_of(truth, spacing, random.chance(0.5) ? 0.002 : 0.0, random));
     const FittedRectangle& r = fit.rectangle;
     length += r.length.low <= truth.length && truth.length <= r.length.high;
     width += r.width.low <= truth.width && truth.width <= r.width.high;
-    area += fit.area.low <= truth.length * truth.width && truth.length * truth.width <= fit.area.high;
+    area +=
+        fit.area.low <= truth.length * truth.width && truth.length * truth.width <= fit.area.high;
     bias += (r.width.value - truth.width) / spacing / rounds;
     breadth += (r.width.high - r.width.low) / spacing / rounds;
     EXPECT_NEAR(r.length.value, truth.length, spacing);
@@ -104,7 +116,9 @@ TEST(RectangleFit, ABiteOutOfASideDoesNotMoveIt) {
   std::erase_if(e.inside, bitten);
   std::erase_if(e.outside, bitten);
   e.edges.erase(e.edges.begin() + 2);
-  for (const auto& [from, to] : {std::pair<Eigen::Vector2d, Eigen::Vector2d>{{0.6, 0.4}, {0.2, 0.4}}, {{-0.2, 0.4}, {-0.6, 0.4}}}) {
+  for (const auto& [from, to] :
+       {std::pair<Eigen::Vector2d, Eigen::Vector2d>{{0.6, 0.4}, {0.2, 0.4}},
+        {{-0.2, 0.4}, {-0.6, 0.4}}}) {
     e.edges.push_back({from, to, EdgeKind::true_edge, 0.02, 0.004});
   }
   e.edges.push_back({{0.2, 0.4}, {0.2, 0.1}, EdgeKind::occlusion, 0.02, 0.004});
@@ -119,13 +133,16 @@ TEST(RectangleFit, ABiteOutOfASideDoesNotMoveIt) {
 TEST(RectangleFit, AnUncertainPlaneWidensTheInterval) {
   SequentialRandom random(7);
   RectangleEvidence e = evidence_of({1.0, 0.6, 0.2, {0, 0}}, 0.02, 0.0, random);
-  const double before = fit_rectangle(e).rectangle.length.high - fit_rectangle(e).rectangle.length.low;
+  const double before =
+      fit_rectangle(e).rectangle.length.high - fit_rectangle(e).rectangle.length.low;
   e.plane_variance = [](const auto&, const auto&, const auto&) { return 0.01 * 0.01; };
   const Measured after = fit_rectangle(e).rectangle.length;
   EXPECT_NEAR(after.high - after.low, std::hypot(before, 2 * 1.96 * 0.01), 0.002);
 }
 
-TEST(RectangleFit, NoEvidenceNoRectangle) { EXPECT_EQ(fit_rectangle({}).rectangle.length.value, 0.0); }
+TEST(RectangleFit, NoEvidenceNoRectangle) {
+  EXPECT_EQ(fit_rectangle({}).rectangle.length.value, 0.0);
+}
 
 }  // namespace
 }  // namespace scanchor

@@ -103,8 +103,7 @@ TEST(Registration, SameBitsForAnyNumberOfThreadsAndOrderOfPoints) {
 TEST(Registration, NonFinitePointsAreLeftOutAndTooFewAreBadData) {
   PointCloud cloud = scans()[0].cloud;
   cloud.points[5].x() = std::nan("");
-  const Registration r =
-      register_clouds(scans()[0].cloud, cloud, Eigen::Isometry3d::Identity());
+  const Registration r = register_clouds(scans()[0].cloud, cloud, Eigen::Isometry3d::Identity());
   EXPECT_LT((r.T_target_source.matrix() - Eigen::Matrix4d::Identity()).norm(), 1e-3);
   cloud.points.resize(20);
   try {

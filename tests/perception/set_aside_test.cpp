@@ -26,12 +26,14 @@ TEST(SetAside, CountsEachCauseOnce) {
   const Eigen::Vector3d sensor(1, 2, 3);
   PointCloud cloud = with_sensor_at(sensor);
   const auto put = [&](int count, double low, double high) {
-    for (int i = 0; i < count; ++i) cloud.points.push_back(sensor + random.uniform(low, high) * direction(random));
+    for (int i = 0; i < count; ++i)
+      cloud.points.push_back(sensor + random.uniform(low, high) * direction(random));
   };
-  put(5000, 1.0, 8.0);        // surfaces
-  put(600, 0.15, 0.35);       // the scanner's own body
-  put(300, 29.9995, 30.0);    // nothing seen
-  for (int i = 0; i < 7; ++i) cloud.points.emplace_back(std::numeric_limits<double>::quiet_NaN(), 0, 0);
+  put(5000, 1.0, 8.0);      // surfaces
+  put(600, 0.15, 0.35);     // the scanner's own body
+  put(300, 29.9995, 30.0);  // nothing seen
+  for (int i = 0; i < 7; ++i)
+    cloud.points.emplace_back(std::numeric_limits<double>::quiet_NaN(), 0, 0);
   cloud.points.emplace_back(0, std::numeric_limits<double>::infinity(), 0);
   const UsablePoints usable = set_aside(cloud, -1.0);
   EXPECT_EQ(usable.set_aside.not_finite, 8U);
@@ -45,9 +47,12 @@ TEST(SetAside, CountsEachCauseOnce) {
 TEST(SetAside, MixedPixelsDoNotHideTheBody) {
   SequentialRandom random(4);
   PointCloud cloud = with_sensor_at({0, 0, 0});
-  for (int i = 0; i < 2000; ++i) cloud.points.push_back(random.uniform(0.10, 0.18) * direction(random));
-  for (int i = 0; i < 60; ++i) cloud.points.push_back(random.uniform(0.18, 1.0) * direction(random));
-  for (int i = 0; i < 8000; ++i) cloud.points.push_back(random.uniform(1.0, 6.0) * direction(random));
+  for (int i = 0; i < 2000; ++i)
+    cloud.points.push_back(random.uniform(0.10, 0.18) * direction(random));
+  for (int i = 0; i < 60; ++i)
+    cloud.points.push_back(random.uniform(0.18, 1.0) * direction(random));
+  for (int i = 0; i < 8000; ++i)
+    cloud.points.push_back(random.uniform(1.0, 6.0) * direction(random));
   const UsablePoints usable = set_aside(cloud, -1.0);
   EXPECT_GE(usable.set_aside.scanner_body, 2000U);
   EXPECT_LE(usable.set_aside.scanner_body, 2040U);
@@ -65,7 +70,8 @@ TEST(SetAside, ATableRightBeforeTheScannerIsNoBody) {
   SequentialRandom random(3);
   PointCloud cloud = with_sensor_at({0, 0, 0});
   // Ranges without a gap from 0.3 m on.
-  for (int i = 0; i < 5000; ++i) cloud.points.push_back(random.uniform(0.3, 5.0) * direction(random));
+  for (int i = 0; i < 5000; ++i)
+    cloud.points.push_back(random.uniform(0.3, 5.0) * direction(random));
   EXPECT_EQ(set_aside(cloud, -1.0).set_aside.scanner_body, 0U);
   EXPECT_GT(set_aside(cloud, 0.5).set_aside.scanner_body, 100U);  // told, it obeys
 }

@@ -20,9 +20,12 @@ TEST(MinimumAreaRectangle, FindsATurnedBox) {
     const Eigen::Vector2d u(std::cos(angle), std::sin(angle));
     const Eigen::Vector2d v(-u.y(), u.x());
     std::vector<Eigen::Vector2d> points;
-    for (int i = 0; i < 100; ++i) points.emplace_back(center + random.uniform(-0.5, 0.5) * length * u + random.uniform(-0.5, 0.5) * width * v);
+    for (int i = 0; i < 100; ++i)
+      points.emplace_back(center + random.uniform(-0.5, 0.5) * length * u +
+                          random.uniform(-0.5, 0.5) * width * v);
     for (const int i : {-1, 1}) {
-      for (const int j : {-1, 1}) points.emplace_back(center + 0.5 * i * length * u + 0.5 * j * width * v);
+      for (const int j : {-1, 1})
+        points.emplace_back(center + 0.5 * i * length * u + 0.5 * j * width * v);
     }
     const FittedRectangle r = minimum_area_rectangle(points);
     EXPECT_NEAR(r.length.value, length, 1e-9);

@@ -6,8 +6,8 @@
 
 #include "core/math.hpp"
 #include "core/random.hpp"
-#include "perception/polygon_check.hpp"
 #include "perception/perceive.hpp"
+#include "perception/polygon_check.hpp"
 #include "tests/perception/support/shape_scene.hpp"
 
 namespace scanchor {
@@ -22,7 +22,8 @@ using testing::ShapeScan;
 const Panel wall = box_panel({6, 0, 0}, {0, 1, 0}, {0, 0, 1}, 40, 40);
 
 /// The surface of panel 0, shaped by the default method.
-Surface shaped(const std::vector<Panel>& panels, const ScannerSetup& setup, bool sensor_known = true) {
+Surface shaped(const std::vector<Panel>& panels, const ScannerSetup& setup,
+               bool sensor_known = true) {
   ShapeScan scan = scan_panels(panels, setup);
   if (!sensor_known) scan.surfaces.sensor_positions.clear();
   find_shapes(scan.cloud, {}, scan.surfaces);
@@ -32,7 +33,8 @@ Surface shaped(const std::vector<Panel>& panels, const ScannerSetup& setup, bool
   return {};
 }
 
-/// A scan of a part of the field only, with the angular steps of 100,000 points over 180 x 90 degrees.
+/// A scan of a part of the field only, with the angular steps of 100,000 points over 180 x 90
+/// degrees.
 ScannerSetup window(double azimuth, double elevation, double half) {
   ScannerSetup setup;
   setup.azimuth_from_deg = azimuth - half;
@@ -46,7 +48,8 @@ ScannerSetup window(double azimuth, double elevation, double half) {
 }
 
 TEST(DefaultShape, ManyRectanglesAreCoveredByTheirIntervals) {
-  // Random rectangles anywhere before the scanner, at 1 cm of range noise: the target of the project (90-98 %, goal 93-97 %).
+  // Random rectangles anywhere before the scanner, at 1 cm of range noise: the target of the
+  // project (90-98 %, goal 93-97 %).
   constexpr int rounds = 600;
   int length = 0, width = 0, area = 0, rectangles = 0;
   double bias = 0.0;
@@ -58,14 +61,20 @@ TEST(DefaultShape, ManyRectanglesAreCoveredByTheirIntervals) {
     const double elevation = random.uniform(-30, 10);
     const double a = radians(azimuth);
     const double e = radians(elevation);
-    const Eigen::Vector3d direction(std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e));
-    const Eigen::Matrix3d turn = (Eigen::AngleAxisd(a + radians(random.uniform(-40, 40)), Eigen::Vector3d::UnitZ()) *
-                                  Eigen::AngleAxisd(radians(random.uniform(-40, 40)), Eigen::Vector3d::UnitY()) *
-                                  Eigen::AngleAxisd(radians(random.uniform(-30, 30)), Eigen::Vector3d::UnitX())).toRotationMatrix();
-    ScannerSetup setup = window(azimuth + random.uniform(-0.2, 0.2), elevation + random.uniform(-0.2, 0.2), 24);
+    const Eigen::Vector3d direction(std::cos(e) * std::cos(a), std::cos(e) * std::sin(a),
+                                    std::sin(e));
+    const Eigen::Matrix3d turn =
+        (Eigen::AngleAxisd(a + radians(random.uniform(-40, 40)), Eigen::Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(radians(random.uniform(-40, 40)), Eigen::Vector3d::UnitY()) *
+         Eigen::AngleAxisd(radians(random.uniform(-30, 30)), Eigen::Vector3d::UnitX()))
+            .toRotationMatrix();
+    ScannerSetup setup =
+        window(azimuth + random.uniform(-0.2, 0.2), elevation + random.uniform(-0.2, 0.2), 24);
     setup.seed = static_cast<std::uint64_t>(round);
     const Panel back = box_panel(8 * direction, {-std::sin(a), std::cos(a), 0}, {0, 0, 1}, 40, 40);
-    const Surface s = shaped({box_panel(random.uniform(2.0, 4.0) * direction, turn.col(1), turn.col(2), l, w), back}, setup);
+    const Surface s = shaped(
+        {box_panel(random.uniform(2.0, 4.0) * direction, turn.col(1), turn.col(2), l, w), back},
+        setup);
     length += s.rectangle.length.low <= l && l <= s.rectangle.length.high;
     width += s.rectangle.width.low <= w && w <= s.rectangle.width.high;
     area += s.area.low <= l * w && l * w <= s.area.high;
@@ -83,7 +92,8 @@ TEST(DefaultShape, ManyRectanglesAreCoveredByTheirIntervals) {
 }
 
 TEST(DefaultShape, AMonitorIsMeasuredToAFewMillimetres) {
-  // 0.57 x 0.42 m with about 650 points: rms error of both sides over 40 placements. Target 8 mm, goal 5 mm.
+  // 0.57 x 0.42 m with about 650 points: rms error of both sides over 40 placements. Target 8 mm,
+  // goal 5 mm.
   double squares = 0.0;
   double points = 0.0;
   for (int round = 0; round < 40; ++round) {
@@ -92,8 +102,11 @@ TEST(DefaultShape, AMonitorIsMeasuredToAFewMillimetres) {
     ScannerSetup setup = window(degrees(a), 0, 15);
     setup.seed = static_cast<std::uint64_t>(round);
     const Eigen::Vector3d x(std::sin(radians(random.uniform(4, 12))), 1, 0);
-    const Surface s = shaped({box_panel({2.75 * std::cos(a), 2.75 * std::sin(a), 0.1}, x, {0, 0, 1}, 0.57, 0.42), wall}, setup);
-    squares += std::pow(s.rectangle.length.value - 0.57, 2) + std::pow(s.rectangle.width.value - 0.42, 2);
+    const Surface s = shaped(
+        {box_panel({2.75 * std::cos(a), 2.75 * std::sin(a), 0.1}, x, {0, 0, 1}, 0.57, 0.42), wall},
+        setup);
+    squares +=
+        std::pow(s.rectangle.length.value - 0.57, 2) + std::pow(s.rectangle.width.value - 0.42, 2);
     points += static_cast<double>(s.inlier_count) / 40;
     EXPECT_TRUE(s.is_rectangle);
     EXPECT_NEAR(s.rectangularness, 1.0, 0.05);
@@ -107,10 +120,11 @@ TEST(DefaultShape, AShadowedDeskKeepsItsSizeAndSaysWhatIsHidden) {
   ScannerSetup setup;
   setup.position = {0, 0, 1.4};
   setup.range_sigma = 0.01;
-  const std::vector<Panel> scene = {box_panel({2.2, 0, 0.75}, {0, 1, 0}, {-1, 0, 0}, 1.6, 0.8),
-                                    box_panel({2.2, -0.29, 1.02}, {0.1, 1, 0}, {0, 0, 1}, 0.57, 0.42),
-                                    box_panel({2.2, 0.29, 1.02}, {-0.1, 1, 0}, {0, 0, 1}, 0.57, 0.42),
-                                    box_panel({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 20, 20), wall};
+  const std::vector<Panel> scene = {
+      box_panel({2.2, 0, 0.75}, {0, 1, 0}, {-1, 0, 0}, 1.6, 0.8),
+      box_panel({2.2, -0.29, 1.02}, {0.1, 1, 0}, {0, 0, 1}, 0.57, 0.42),
+      box_panel({2.2, 0.29, 1.02}, {-0.1, 1, 0}, {0, 0, 1}, 0.57, 0.42),
+      box_panel({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 20, 20), wall};
   const Surface s = shaped(scene, setup);
   EXPECT_NEAR(s.rectangle.length.value, 1.6, 0.02);
   EXPECT_NEAR(s.rectangle.width.value, 0.8, 0.06);
@@ -136,7 +150,8 @@ TEST(DefaultShape, EllDiscAndFrameAreNoRectangles) {
 
   Panel disc = box_panel({2, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1, 1);
   disc.outer.clear();
-  for (int i = 0; i < 90; ++i) disc.outer.emplace_back(0.5 * std::cos(radians(4 * i)), 0.5 * std::sin(radians(4 * i)));
+  for (int i = 0; i < 90; ++i)
+    disc.outer.emplace_back(0.5 * std::cos(radians(4 * i)), 0.5 * std::sin(radians(4 * i)));
   const Surface d = shaped({disc, wall}, setup);
   EXPECT_FALSE(d.is_rectangle);
   EXPECT_NEAR(d.area.value, ring_area(disc.outer), 0.015);
@@ -160,9 +175,12 @@ TEST(DefaultShape, WithoutASensorPositionItStillMeasures) {
     SequentialRandom random(stream_seed(9, "blind", static_cast<std::uint64_t>(round)));
     ScannerSetup setup = window(0, 0, 20);
     setup.seed = static_cast<std::uint64_t>(round);
-    const Eigen::Matrix3d turn = (Eigen::AngleAxisd(radians(random.uniform(-30, 30)), Eigen::Vector3d::UnitZ()) *
-                                  Eigen::AngleAxisd(radians(random.uniform(-20, 20)), Eigen::Vector3d::UnitX())).toRotationMatrix();
-    const Surface s = shaped({box_panel({2.5, 0, 0}, turn.col(1), turn.col(2), 0.9, 0.6), wall}, setup, false);
+    const Eigen::Matrix3d turn =
+        (Eigen::AngleAxisd(radians(random.uniform(-30, 30)), Eigen::Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(radians(random.uniform(-20, 20)), Eigen::Vector3d::UnitX()))
+            .toRotationMatrix();
+    const Surface s =
+        shaped({box_panel({2.5, 0, 0}, turn.col(1), turn.col(2), 0.9, 0.6), wall}, setup, false);
     covered += s.rectangle.length.low <= 0.9 && 0.9 <= s.rectangle.length.high;
     bias += (s.area.value / 0.54 - 1.0) / 60;
     for (const EdgeKind kind : s.polygons.front().outer_kind) {

@@ -27,7 +27,8 @@ TEST(PaperShape, AMonitorIsARectangleOfTheRightSize) {
     const Surface s = shaped(testing::box_ring(0.57, 0.42), 0.012, seed);
     EXPECT_TRUE(s.is_rectangle);
     EXPECT_GT(s.rectangularness, 0.85);
-    // The alpha shape ends at the outermost points: up to a spacing short, as the paper's own chain is.
+    // The alpha shape ends at the outermost points: up to a spacing short, as the paper's own chain
+    // is.
     EXPECT_NEAR(s.rectangle.length.value, 0.57, 0.025);
     EXPECT_NEAR(s.rectangle.width.value, 0.42, 0.025);
     EXPECT_LT(s.area.value, 0.57 * 0.42);
@@ -36,7 +37,8 @@ TEST(PaperShape, AMonitorIsARectangleOfTheRightSize) {
 }
 
 TEST(PaperShape, AnEllIsNone) {
-  const Surface s = shaped({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.0}, {0.0, 0.0}, {0.0, 0.5}, {-0.5, 0.5}}, 0.015, 3);
+  const Surface s = shaped(
+      {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.0}, {0.0, 0.0}, {0.0, 0.5}, {-0.5, 0.5}}, 0.015, 3);
   EXPECT_FALSE(s.is_rectangle);
   EXPECT_LT(s.rectangularness, 0.85);
 }

@@ -32,17 +32,21 @@ TEST(RayPlane, DoesNotTiltWithRangeNoise) {
     const Surface& s = scan.surfaces.surfaces.front();
     const RayPlane plane = fit_along_rays(scan.cloud, s, setup.position);
     // Turn about the vertical, signed.
-    const auto turn = [&](const Eigen::Vector3d& n) { return std::asin(std::clamp(n.cross(truth).z() * (n.dot(truth) > 0 ? 1.0 : -1.0), -1.0, 1.0)); };
+    const auto turn = [&](const Eigen::Vector3d& n) {
+      return std::asin(std::clamp(n.cross(truth).z() * (n.dot(truth) > 0 ? 1.0 : -1.0), -1.0, 1.0));
+    };
     across += turn(s.plane.normal) / rounds;
     along += turn(plane.T_cloud_plane.linear().col(2)) / rounds;
   }
-  // Predicted bias of the fit across the plane: sigma^2 sin(i) cos(i) / variance = 9e-4 * 0.5 / 0.03 = 0.015 rad.
+  // Predicted bias of the fit across the plane: sigma^2 sin(i) cos(i) / variance = 9e-4 * 0.5 /
+  // 0.03 = 0.015 rad.
   EXPECT_GT(std::abs(across), radians(0.5));
   EXPECT_LT(std::abs(along), radians(0.1));
 }
 
 TEST(RayPlane, CovarianceMatchesTheSpreadOfTheFits) {
-  // The width across the slope depends on the tilt: predicted variance against the variance over 60 scans.
+  // The width across the slope depends on the tilt: predicted variance against the variance over 60
+  // scans.
   std::vector<double> widths;
   double predicted = 0.0;
   for (int round = 0; round < 60; ++round) {
@@ -50,7 +54,8 @@ TEST(RayPlane, CovarianceMatchesTheSpreadOfTheFits) {
     setup.range_sigma = 0.02;
     setup.seed = static_cast<std::uint64_t>(100 + round);
     const ShapeScan scan = scan_panels({slanted()}, setup);
-    const RayPlane plane = fit_along_rays(scan.cloud, scan.surfaces.surfaces.front(), setup.position);
+    const RayPlane plane =
+        fit_along_rays(scan.cloud, scan.surfaces.surfaces.front(), setup.position);
     // Where the rays to the two vertical edges meet the fitted plane.
     const Eigen::Vector3d a = slanted().T * Eigen::Vector3d(-0.3, 0, 0);
     const Eigen::Vector3d b = slanted().T * Eigen::Vector3d(0.3, 0, 0);

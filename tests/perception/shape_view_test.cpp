@@ -46,13 +46,18 @@ TEST(ShapeView, NeighbourCellsHoldTheNeighbourDirectionsAlsoAcrossTheCube) {
   const ShapeView view(cloud, Eigen::Vector3d::Zero(), std::vector<std::int32_t>(cloud.size(), -1));
   SequentialRandom random(3);
   for (int i = 0; i < 20000; ++i) {
-    const Eigen::Vector3d a = Eigen::Vector3d(random.normal(), random.normal(), random.normal()).normalized();
-    const Eigen::Vector3d b = (a + 0.3 * view.cell_angle() * Eigen::Vector3d(random.normal(), random.normal(), random.normal()).normalized()).normalized();
+    const Eigen::Vector3d a =
+        Eigen::Vector3d(random.normal(), random.normal(), random.normal()).normalized();
+    const Eigen::Vector3d b =
+        (a + 0.3 * view.cell_angle() *
+                 Eigen::Vector3d(random.normal(), random.normal(), random.normal()).normalized())
+            .normalized();
     const auto from = view.cell_of(a);
     const auto to = view.cell_of(b);
     if (from == to) continue;
     const auto around = view.around(from);
-    EXPECT_TRUE(std::count(around.begin(), around.end(), to)) << a.transpose() << " to " << b.transpose();
+    EXPECT_TRUE(std::count(around.begin(), around.end(), to))
+        << a.transpose() << " to " << b.transpose();
   }
 }
 
@@ -79,7 +84,8 @@ TEST(ShapeView, ACellBelongsToAPlaneOnlyIfAllOfItDoes) {
 TEST(ShapeView, CellsAreAboutTwoSpacingsWide) {
   PointCloud cloud;
   for (int i = -50; i < 50; ++i) {
-    for (int j = -50; j < 50; ++j) cloud.points.emplace_back(2.0, 0.02 * i, 0.02 * j);  // 0.01 rad apart
+    for (int j = -50; j < 50; ++j)
+      cloud.points.emplace_back(2.0, 0.02 * i, 0.02 * j);  // 0.01 rad apart
   }
   const ShapeView view(cloud, Eigen::Vector3d::Zero(), std::vector<std::int32_t>(cloud.size(), -1));
   EXPECT_GT(view.cell_angle(), 0.015);

@@ -19,17 +19,22 @@ Surfaces example() {
   for (int i = 0; i < 2; ++i) {
     Surface s;
     s.id = i;
-    s.plane.normal = Eigen::Vector3d(random.normal(), random.normal(), random.normal()).normalized();
+    s.plane.normal =
+        Eigen::Vector3d(random.normal(), random.normal(), random.normal()).normalized();
     s.plane.offset = random.normal();
     s.plane.centroid = {random.normal(), 1e6 + random.normal(), random.normal()};
     s.plane.residual_sigma = random.uniform();
     s.plane.normal_covariance << 1e-7, 2e-9, 0, 2e-9, 3e-8, 0, 0, 0, 0;
     s.plane.centroid_sigma = 1e-4;
-    s.T_cloud_surface.linear() = Eigen::Quaterniond(random.normal(), random.normal(), random.normal(), 1).normalized().toRotationMatrix();
+    s.T_cloud_surface.linear() =
+        Eigen::Quaterniond(random.normal(), random.normal(), random.normal(), 1)
+            .normalized()
+            .toRotationMatrix();
     s.T_cloud_surface.translation() = s.plane.centroid;
     s.inliers = i == 0 ? std::vector<std::uint32_t>{0, 2, 4} : std::vector<std::uint32_t>{3, 5, 6};
     s.inlier_count = 3;
-    s.polygons.push_back({{{0, 0}, {random.uniform(), 0}, {0.3, 0.7}}, {{{0.1, 0.1}, {0.1, 0.2}, {0.2, 0.1}}},
+    s.polygons.push_back({{{0, 0}, {random.uniform(), 0}, {0.3, 0.7}},
+                          {{{0.1, 0.1}, {0.1, 0.2}, {0.2, 0.1}}},
                           {EdgeKind::true_edge, EdgeKind::occlusion, EdgeKind::view_limit}});
     s.rectangle.center = {random.normal(), random.normal()};
     s.rectangle.angle = random.normal();
@@ -59,8 +64,10 @@ TEST(SurfaceJson, WhatIsReadBackWritesTheSameBytes) {
 
 TEST(SurfaceJson, InliersRestoreThePlaneOfEachPoint) {
   const Surfaces all = example();
-  EXPECT_EQ(surfaces_from_json(surfaces_to_json(all, true), "f").plane_of_point, all.plane_of_point);
-  EXPECT_EQ(surfaces_from_json(surfaces_to_json(all, false), "f").plane_of_point, std::vector<std::int32_t>(7, -1));
+  EXPECT_EQ(surfaces_from_json(surfaces_to_json(all, true), "f").plane_of_point,
+            all.plane_of_point);
+  EXPECT_EQ(surfaces_from_json(surfaces_to_json(all, false), "f").plane_of_point,
+            std::vector<std::int32_t>(7, -1));
 }
 
 /// The error's line for a change to the example.
@@ -79,16 +86,39 @@ std::string complaint(const std::function<void(Json&)>& change) {
 TEST(SurfaceJson, ErrorsNameFileAndPlace) {
   EXPECT_NE(complaint([](Json& j) { j["format"] = "map"; }).find("s.json"), std::string::npos);
   EXPECT_NE(complaint([](Json& j) { j["version"] = 9; }).find("version"), std::string::npos);
-  EXPECT_NE(complaint([](Json& j) { j["surfaces"][1]["inliers"][0] = 0; }).find("point 0 belongs to surface 0"), std::string::npos);
-  EXPECT_NE(complaint([](Json& j) { j["surfaces"][0]["inliers"][2] = 99; }).find("surfaces[0].inliers[2]"), std::string::npos);
-  EXPECT_NE(complaint([](Json& j) { j["surfaces"][0]["inliers"][1] = 0; }).find("rise"), std::string::npos);
-  EXPECT_NE(complaint([](Json& j) { j["surfaces"][0]["area"]["low"] = 9.0; }).find("surfaces[0].area"), std::string::npos);
-  EXPECT_NE(complaint([](Json& j) { j["surfaces"][0]["plane"]["normal"][0] = 2.0; }).find("length 1"), std::string::npos);
-  EXPECT_NE(complaint([](Json& j) { j["surfaces"][0]["polygons"][0]["outer_kind"][0] = "shade"; }).find("shade"), std::string::npos);
-  EXPECT_NE(complaint([](Json& j) { j["surfaces"][0]["polygons"][0]["outer_kind"].erase(0); }).find("2 kinds for 3 edges"), std::string::npos);
-  EXPECT_NE(complaint([](Json& j) { j["surfaces"][0]["rectangularity"] = 1; }).find("rectangularness"), std::string::npos);
-  EXPECT_NE(complaint([](Json& j) { j["surfaces"][1]["id"] = 7; }).find("must be 1"), std::string::npos);
-  EXPECT_NE(complaint([](Json& j) { j["surfaces"][0]["T_cloud_surface"]["x_axis"] = {1, 1, 0}; }).find("right angles"), std::string::npos);
+  EXPECT_NE(complaint([](Json& j) {
+              j["surfaces"][1]["inliers"][0] = 0;
+            }).find("point 0 belongs to surface 0"),
+            std::string::npos);
+  EXPECT_NE(complaint([](Json& j) {
+              j["surfaces"][0]["inliers"][2] = 99;
+            }).find("surfaces[0].inliers[2]"),
+            std::string::npos);
+  EXPECT_NE(complaint([](Json& j) { j["surfaces"][0]["inliers"][1] = 0; }).find("rise"),
+            std::string::npos);
+  EXPECT_NE(
+      complaint([](Json& j) { j["surfaces"][0]["area"]["low"] = 9.0; }).find("surfaces[0].area"),
+      std::string::npos);
+  EXPECT_NE(
+      complaint([](Json& j) { j["surfaces"][0]["plane"]["normal"][0] = 2.0; }).find("length 1"),
+      std::string::npos);
+  EXPECT_NE(complaint([](Json& j) {
+              j["surfaces"][0]["polygons"][0]["outer_kind"][0] = "shade";
+            }).find("shade"),
+            std::string::npos);
+  EXPECT_NE(complaint([](Json& j) {
+              j["surfaces"][0]["polygons"][0]["outer_kind"].erase(0);
+            }).find("2 kinds for 3 edges"),
+            std::string::npos);
+  EXPECT_NE(
+      complaint([](Json& j) { j["surfaces"][0]["rectangularity"] = 1; }).find("rectangularness"),
+      std::string::npos);
+  EXPECT_NE(complaint([](Json& j) { j["surfaces"][1]["id"] = 7; }).find("must be 1"),
+            std::string::npos);
+  EXPECT_NE(complaint([](Json& j) {
+              j["surfaces"][0]["T_cloud_surface"]["x_axis"] = {1, 1, 0};
+            }).find("right angles"),
+            std::string::npos);
 }
 
 TEST(SurfaceJson, TextThatIsNoListOfSurfacesIsRefused) {

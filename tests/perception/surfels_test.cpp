@@ -24,7 +24,8 @@ PointPool pool_of(const std::vector<Eigen::Vector3d>& points, double sigma) {
 std::vector<Eigen::Vector3d> sheet(double sigma) {
   SequentialRandom random(1);
   std::vector<Eigen::Vector3d> points;
-  for (int i = 0; i < 4000; ++i) points.emplace_back(random.uniform(), 0.7 * random.uniform(), sigma * random.normal());
+  for (int i = 0; i < 4000; ++i)
+    points.emplace_back(random.uniform(), 0.7 * random.uniform(), sigma * random.normal());
   return points;
 }
 
@@ -36,7 +37,8 @@ TEST(Surfels, NormalErrorIsWhatTiltSays) {
   for (const auto& surfel : fit_surfels(pool, sigma)) {
     if (surfel.tilt >= unknown_tilt) continue;
     ++known;
-    within += std::acos(std::min(1.0, std::abs(surfel.grown.plane.normal.z()))) < 2.45 * surfel.tilt;  // 95 % of a 2D normal
+    within += std::acos(std::min(1.0, std::abs(surfel.grown.plane.normal.z()))) <
+              2.45 * surfel.tilt;  // 95 % of a 2D normal
   }
   ASSERT_GT(known, 200);
   EXPECT_GT(within, known * 88 / 100);
@@ -47,11 +49,13 @@ TEST(Surfels, ContinuesTellsPlanesApart) {
   const auto pool = pool_of(sheet(sigma), sigma);
   const auto surfels = fit_surfels(pool, sigma);
   Moments all;
-  for (std::size_t i = 0; i < pool.cloud.size(); ++i) all.add(pool.cloud.x[i], pool.cloud.y[i], pool.cloud.z[i]);
+  for (std::size_t i = 0; i < pool.cloud.size(); ++i)
+    all.add(pool.cloud.x[i], pool.cloud.y[i], pool.cloud.z[i]);
   const GrownPlane here = grown_plane(all, sigma);
   GrownPlane above = here, tilted = here;
   above.plane.offset += 0.03;
-  tilted.plane.normal = (here.plane.normal + 1.0 * here.plane.axes.col(1)).normalized();  // 45 degrees
+  tilted.plane.normal =
+      (here.plane.normal + 1.0 * here.plane.axes.col(1)).normalized();  // 45 degrees
   tilted.plane.offset = tilted.plane.normal.dot(all.mean());
   int known = 0, on = 0, off = 0, turned = 0;
   for (const auto& surfel : surfels) {
@@ -69,8 +73,10 @@ TEST(Surfels, ContinuesTellsPlanesApart) {
 TEST(Surfels, PointsOnALineKnowNoTilt) {
   SequentialRandom random(2);
   std::vector<Eigen::Vector3d> points;
-  for (int i = 0; i < 500; ++i) points.emplace_back(0.01 * i, 0.002 * random.normal(), 0.002 * random.normal());
-  for (const auto& surfel : fit_surfels(pool_of(points, 0.002), 0.002)) EXPECT_GE(surfel.tilt, unknown_tilt);
+  for (int i = 0; i < 500; ++i)
+    points.emplace_back(0.01 * i, 0.002 * random.normal(), 0.002 * random.normal());
+  for (const auto& surfel : fit_surfels(pool_of(points, 0.002), 0.002))
+    EXPECT_GE(surfel.tilt, unknown_tilt);
 }
 
 }  // namespace

@@ -10,7 +10,8 @@
 namespace scanchor {
 namespace {
 
-// Four legs of 6 x 6 cm on a floor, two faces of each seen: no cell is flat there, the pool must find them.
+// Four legs of 6 x 6 cm on a floor, two faces of each seen: no cell is flat there, the pool must
+// find them.
 TEST(ThinPlanes, FacesOfLegs) {
   SequentialRandom random(1);
   const double sigma = 0.004;
@@ -23,8 +24,10 @@ TEST(ThinPlanes, FacesOfLegs) {
   for (int leg = 0; leg < 4; ++leg) {
     const double x = 0.5 + 0.8 * (leg % 2), y = 0.5 + 0.8 * (leg / 2);
     for (int i = 0; i < 300; ++i) {
-      const double along = 0.06 * random.uniform(), z = random.uniform(0.02, 0.7), off = sigma * random.normal();
-      points.push_back(i % 2 == 0 ? Eigen::Vector3d(x + along, y + off, z) : Eigen::Vector3d(x + off, y + along, z));
+      const double along = 0.06 * random.uniform(), z = random.uniform(0.02, 0.7),
+                   off = sigma * random.normal();
+      points.push_back(i % 2 == 0 ? Eigen::Vector3d(x + along, y + off, z)
+                                  : Eigen::Vector3d(x + off, y + along, z));
       truth.push_back(1 + 2 * leg + i % 2);
     }
   }
@@ -36,10 +39,12 @@ TEST(ThinPlanes, FacesOfLegs) {
   PlaneLabels labels = cell_planes(cloud, tree, sigma, region_of_cell);
   thin_planes(cloud, tree, sigma, region_of_cell, labels);
   std::vector<std::int32_t> by_source(points.size(), -1);
-  for (std::size_t i = 0; i < cloud.size(); ++i) by_source[cloud.source[cloud.first[i]]] = labels.of_point[i];
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    by_source[cloud.source[cloud.first[i]]] = labels.of_point[i];
   const auto score = support::score_planes(truth, by_source, 0.8, 50);
   EXPECT_EQ(score.planes, 9);
-  // Eight faces are there; three planes come out right at 80 % overlap, for faces 15 sigma broad meet at every corner (docs/why/planes.md).
+  // Eight faces are there; three planes come out right at 80 % overlap, for faces 15 sigma broad
+  // meet at every corner (docs/why/planes.md).
   EXPECT_GE(score.correct, 3);
   EXPECT_LE(score.spurious, 6);
 }

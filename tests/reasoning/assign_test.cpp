@@ -9,7 +9,9 @@ namespace {
 
 const Ontology& kinds() {
   static const Ontology ontology = parse_ontology(
-      "class table:\n    horizontal\nclass desk is a table:\n    area 1..2 m2\nclass lid:\n    area 1..2 m2\n", "x.sdl");
+      "class table:\n    horizontal\nclass desk is a table:\n    area 1..2 m2\nclass lid:\n    "
+      "area 1..2 m2\n",
+      "x.sdl");
   return ontology;
 }
 
@@ -43,11 +45,15 @@ TEST(Assign, ProbabilitiesOfAnEntityAddUpAlongTheTaxonomy) {
   const double desk = test::probability_of(entity, "desk");
   EXPECT_GT(desk, 0.0);
   EXPECT_GE(table, desk);
-  EXPECT_NEAR(table + test::probability_of(entity, "lid") + test::probability_of(entity, "unknown"), 1.0, 1e-9);
+  EXPECT_NEAR(table + test::probability_of(entity, "lid") + test::probability_of(entity, "unknown"),
+              1.0, 1e-9);
 }
 
 TEST(Assign, UniqueGoesToOne) {
-  const auto ontology = parse_ontology("class hatch:\n    unique\n    horizontal\n    area 0.5..3 m2\n    extension 1..2 m\n    rectangular\n", "x.sdl");
+  const auto ontology = parse_ontology(
+      "class hatch:\n    unique\n    horizontal\n    area 0.5..3 m2\n    extension 1..2 m\n    "
+      "rectangular\n",
+      "x.sdl");
   auto other = test::desk_plate();
   other.center.x() -= 3;
   other.length = 1.97;  // at the limit: less likely than the first
@@ -79,14 +85,15 @@ class cabinet top part of cabinet:
     horizontal
     orthogonal to and touching a cabinet
     extension under 1.1 m
-)", "x.sdl");
+)",
+                                       "x.sdl");
   const std::vector<test::Plate> plates = {
       test::floor_plate(),
       test::desk_plate(),
-      {{-2.0, -2.1, 0.45}, {0, 1, 0}, {1, 0, 0}, 1.0, 0.9},   // front of a cabinet
-      {{-1.5, -2.3, 0.45}, {1, 0, 0}, {0, 1, 0}, 0.4, 0.9},   // its side
-      {{-2.0, -2.3, 0.9}, {0, 0, 1}, {1, 0, 0}, 1.0, 0.4},    // its top
-      {{1.75, 1.5, 0.37}, {1, 0, 0}, {0, 1, 0}, 0.7, 0.7}};   // a panel under the desk
+      {{-2.0, -2.1, 0.45}, {0, 1, 0}, {1, 0, 0}, 1.0, 0.9},  // front of a cabinet
+      {{-1.5, -2.3, 0.45}, {1, 0, 0}, {0, 1, 0}, 0.4, 0.9},  // its side
+      {{-2.0, -2.3, 0.9}, {0, 0, 1}, {1, 0, 0}, 1.0, 0.4},   // its top
+      {{1.75, 1.5, 0.37}, {1, 0, 0}, {0, 1, 0}, 0.7, 0.7}};  // a panel under the desk
   const auto labelling = reason(test::make_surfaces(plates), ontology, {});
   EXPECT_EQ(labelling.entity_of_surface, (std::vector<std::int32_t>{0, 1, 2, 2, 2, 1}));
   EXPECT_EQ(labelling.entities[1].surfaces, (std::vector<std::int32_t>{1, 5}));

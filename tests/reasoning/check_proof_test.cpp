@@ -16,7 +16,9 @@ struct CheckProof : testing::Test {
     return test::make_surfaces(plates);
   }();
   Labelling labelling = reason(surfaces, ontology, {});
-  std::size_t faults(std::int32_t entity) const { return check_proof(surfaces, ontology, labelling, entity).size(); }
+  std::size_t faults(std::int32_t entity) const {
+    return check_proof(surfaces, ontology, labelling, entity).size();
+  }
 };
 
 TEST_F(CheckProof, AcceptsEveryProofOfTheMatcher) {
@@ -39,10 +41,12 @@ TEST_F(CheckProof, FindsWhatWasForged) {
   EXPECT_GT(forged([](Labelling& l) { l.entities[7].proof[0].measured += 0.01; }), 0U);
   EXPECT_GT(forged([](Labelling& l) { l.entities[7].proof.pop_back(); }), 0U);
   EXPECT_GT(forged([](Labelling& l) { l.entities[7].proof[1].text = "extension 0.1..9 m"; }), 0U);
-  EXPECT_GT(forged([](Labelling& l) { l.entities[7].proof[5].targets = {1}; }), 0U) << "a wall is no desk";
+  EXPECT_GT(forged([](Labelling& l) { l.entities[7].proof[5].targets = {1}; }), 0U)
+      << "a wall is no desk";
   EXPECT_GT(forged([](Labelling& l) { l.entities[7].proof[1].likelihood = 0.01; }), 0U);
   EXPECT_GT(forged([](Labelling& l) { l.entities[7].label = "desk"; }), 0U);
-  EXPECT_GT(forged([](Labelling& l) { l.entities[6].proof.back().measured += 0.2; }), 0U) << "through the target";
+  EXPECT_GT(forged([](Labelling& l) { l.entities[6].proof.back().measured += 0.2; }), 0U)
+      << "through the target";
   EXPECT_EQ(check_proof(surfaces, ontology, labelling, 999).size(), 1U);
 }
 

@@ -24,17 +24,21 @@ TEST(Distance, OverlapAgainstSampling) {
   SequentialRandom random(3);
   for (int i = 0; i < 40; ++i) {
     const auto a = foot(0, 0, random.uniform(0.3, 1), random.uniform(0.2, 1), random.uniform(0, 3));
-    const auto b = foot(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0.3, 1), random.uniform(0.2, 1),
-                        random.uniform(0, 3));
+    const auto b = foot(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0.3, 1),
+                        random.uniform(0.2, 1), random.uniform(0, 3));
     const auto& smaller = a.area() < b.area() ? a : b;
     const auto& larger = a.area() < b.area() ? b : a;
     int in = 0;
     const int n = 120;
     for (int x = 0; x < n; ++x) {
       for (int y = 0; y < n; ++y) {
-        const Eigen::Vector2d p = smaller.center + smaller.u * (2.0 * (x + 0.5) / n - 1.0) + smaller.v * (2.0 * (y + 0.5) / n - 1.0);
+        const Eigen::Vector2d p = smaller.center + smaller.u * (2.0 * (x + 0.5) / n - 1.0) +
+                                  smaller.v * (2.0 * (y + 0.5) / n - 1.0);
         const Eigen::Vector2d d = p - larger.center;
-        in += std::abs(d.dot(larger.u)) <= larger.u.squaredNorm() && std::abs(d.dot(larger.v)) <= larger.v.squaredNorm() ? 1 : 0;
+        in += std::abs(d.dot(larger.u)) <= larger.u.squaredNorm() &&
+                      std::abs(d.dot(larger.v)) <= larger.v.squaredNorm()
+                  ? 1
+                  : 0;
       }
     }
     EXPECT_NEAR(footprint_overlap(a, b), in / double(n * n), 0.02);

@@ -18,7 +18,9 @@ struct Explain : testing::Test {
     surfaces = test::make_surfaces(plates);
     labelling = reason(surfaces, ontology, {});
   }
-  WhyNot ask(int entity, const std::string& name) { return why_not(surfaces, ontology, labelling, entity, name); }
+  WhyNot ask(int entity, const std::string& name) {
+    return why_not(surfaces, ontology, labelling, entity, name);
+  }
 };
 
 TEST_F(Explain, GoesDownToTheAxiom) {
@@ -46,7 +48,9 @@ TEST_F(Explain, WhyNotNamesTheFirstFailingClauseAndTheSmallestChange) {
   EXPECT_NEAR(answer.measured, 0.72, 1e-9);
   ASSERT_TRUE(answer.has_needed);
   EXPECT_NEAR(answer.needed, 0.9, 1e-9);
-  EXPECT_NE(answer.text.find("6 is not a desk: 'area 0.9..1.7 m2' fails, measured 0.72"), std::string::npos) << answer.text;
+  EXPECT_NE(answer.text.find("6 is not a desk: 'area 0.9..1.7 m2' fails, measured 0.72"),
+            std::string::npos)
+      << answer.text;
   EXPECT_NE(answer.text.find("a change of +0.18 m2"), std::string::npos) << answer.text;
 }
 
@@ -68,7 +72,8 @@ TEST_F(Explain, MissingTargetsAndUnknownNames) {
   label();
   const auto answer = ask(6, "screen");
   EXPECT_EQ(answer.clause, "orthogonal to and above a desk");
-  EXPECT_NE(answer.text.find("nothing in the scene satisfies it"), std::string::npos) << answer.text;
+  EXPECT_NE(answer.text.find("nothing in the scene satisfies it"), std::string::npos)
+      << answer.text;
   EXPECT_THROW(ask(6, "scren"), Error);
   EXPECT_THROW(ask(66, "screen"), Error);
 }

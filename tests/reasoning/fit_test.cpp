@@ -69,7 +69,8 @@ TEST(Fit, CountsWhatIsThere) {
   EXPECT_NEAR(background.rates[1].hit_rate, 0.75, 0.06);
   EXPECT_NEAR(background.priors[0].second, 1.0 / 3.0, 0.05);
   EXPECT_NEAR(background.unknown_prior, 1.0 / 3.0, 0.05);
-  EXPECT_GT(background.rates[0].hit_rate, 0.9) << "all are, up to the 2 degrees that gravity is known to";
+  EXPECT_GT(background.rates[0].hit_rate, 0.9)
+      << "all are, up to the 2 degrees that gravity is known to";
 
   // On scenes that were not counted the labels are better than with the defaults.
   std::vector<TrainingScene> held_out;

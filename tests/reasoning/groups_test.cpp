@@ -34,7 +34,9 @@ struct Shelf : testing::Test {
     for (const auto& board : test::shelf_boards(4)) all.push_back(board);
     return all;
   }();
-  Labelling label() const { return reason(test::make_surfaces(plates), test::shipped("paper"), {}); }
+  Labelling label() const {
+    return reason(test::make_surfaces(plates), test::shipped("paper"), {});
+  }
   int shelves() const { return test::count_things(label(), "shelf"); }
 };
 
@@ -59,7 +61,8 @@ TEST_F(Shelf, SentenceTwoMoreThanOne) {
   EXPECT_EQ(shelves(), 0);
 }
 TEST_F(Shelf, SentenceThreeAreaUnderTwoSquareMetres) {
-  for (std::size_t i = 1; i < plates.size(); ++i) plates[i].length = plates[i].width = 1.65;  // sides under 2 m, 2.7 m2
+  for (std::size_t i = 1; i < plates.size(); ++i)
+    plates[i].length = plates[i].width = 1.65;  // sides under 2 m, 2.7 m2
   EXPECT_EQ(shelves(), 0);
 }
 TEST_F(Shelf, SentenceFourParallelToEachOther) {

@@ -8,7 +8,8 @@ namespace scanchor {
 namespace {
 
 TEST(Item, TakesItsNumbersFromTheSurface) {
-  const auto items = make_items(test::make_surfaces({test::screen_plate(1.0)}), Eigen::Matrix3d::Identity());
+  const auto items =
+      make_items(test::make_surfaces({test::screen_plate(1.0)}), Eigen::Matrix3d::Identity());
   ASSERT_EQ(items.size(), 1U);
   EXPECT_NEAR(items[0].extension.value, 0.57, 1e-12);
   EXPECT_NEAR(items[0].width.value, 0.42, 1e-12);
@@ -17,7 +18,8 @@ TEST(Item, TakesItsNumbersFromTheSurface) {
   EXPECT_NEAR(items[0].height.value, 0.42, 1e-9);
   EXPECT_NEAR(items[0].area.sigma, 0.005 * 0.99, 1e-9);
   EXPECT_EQ(items[0].area.hidden, 0.0);
-  EXPECT_NEAR(items[0].footprint.area(), (0.57 + 0.05) * 0.05, 1e-9) << "a standing plate is thickened to 5 cm";
+  EXPECT_NEAR(items[0].footprint.area(), (0.57 + 0.05) * 0.05, 1e-9)
+      << "a standing plate is thickened to 5 cm";
 }
 
 TEST(Item, LevellingTurnsUpToZ) {

@@ -28,7 +28,8 @@ TEST(Jsonld, NamesClassesRelationsAndMembers) {
   EXPECT_EQ(screen["orthogonalTo"], nlohmann::ordered_json::array({"urn:scanchor:room_1:6"}));
   EXPECT_EQ(find("urn:scanchor:room_1:12")["hasMember"].size(), 3U);
   EXPECT_EQ(find("urn:scanchor:room_1:9")["partOf"], "urn:scanchor:room_1:12");
-  EXPECT_TRUE(find("urn:scanchor:room_1:1").is_null()) << "a wall is unknown to the paper's classes";
+  EXPECT_TRUE(find("urn:scanchor:room_1:1").is_null())
+      << "a wall is unknown to the paper's classes";
 }
 
 }  // namespace

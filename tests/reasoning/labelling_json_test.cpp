@@ -23,11 +23,15 @@ TEST(LabellingJson, RoundTripKeepsEverything) {
 }
 
 TEST(LabellingJson, RefusesWhatIsBroken) {
-  const auto labelling = reason(test::make_surfaces(test::paper_room()), test::shipped("paper"), {});
+  const auto labelling =
+      reason(test::make_surfaces(test::paper_room()), test::shipped("paper"), {});
   const auto json = labelling_to_json(labelling, {});
-  for (const auto& [pointer, value] : std::vector<std::pair<std::string, nlohmann::ordered_json>>{
-           {"/format", "scanchor labels 9"}, {"/objects/1/id", 7}, {"/objects/0/probability", 1.5},
-           {"/entity_of_surface/0", 99}, {"/up", "z"}}) {
+  for (const auto& [pointer, value] :
+       std::vector<std::pair<std::string, nlohmann::ordered_json>>{{"/format", "scanchor labels 9"},
+                                                                   {"/objects/1/id", 7},
+                                                                   {"/objects/0/probability", 1.5},
+                                                                   {"/entity_of_surface/0", 99},
+                                                                   {"/up", "z"}}) {
     auto broken = json;
     broken[nlohmann::ordered_json::json_pointer(pointer)] = value;
     EXPECT_THROW(labelling_from_json(broken, "labels.json"), Error) << pointer;

@@ -26,7 +26,8 @@ TEST(Likelihood, HalfAtTheLimit) {
 }
 
 TEST(Likelihood, ConeIsTheRiceDistribution) {
-  // Oracle: the share of 2D normal tilts around theta that fall in the disc, by integration over rings of the disc.
+  // Oracle: the share of 2D normal tilts around theta that fall in the disc, by integration over
+  // rings of the disc.
   for (const double theta : {0.0, 1.0, 3.0, 5.0, 8.0, 15.0}) {
     for (const double s : {0.3, 1.0, 4.0}) {
       const double tolerance = 5.0;
@@ -48,7 +49,8 @@ TEST(Likelihood, ConeIsTheRiceDistribution) {
 }
 
 TEST(Likelihood, ConeIsCalibratedWherePlainPhiIsNot) {
-  // Tilts uniform in a disc of 15 degrees as in reasoning.md 2.3, measured with 4 degrees in each component.
+  // Tilts uniform in a disc of 15 degrees as in reasoning.md 2.3, measured with 4 degrees in each
+  // component.
   const CounterRandom random(7);
   const double s = 4.0;
   double said_rice[10] = {}, true_rice[10] = {}, said_phi[10] = {}, true_phi[10] = {};
@@ -75,7 +77,8 @@ TEST(Likelihood, ConeIsCalibratedWherePlainPhiIsNot) {
     return sum / draws;
   };
   EXPECT_LT(error(said_rice, true_rice, n_rice), 0.02);
-  EXPECT_GT(error(said_phi, true_phi, n_phi), 0.04);  // the plain form is what the test must tell apart
+  EXPECT_GT(error(said_phi, true_phi, n_phi),
+            0.04);  // the plain form is what the test must tell apart
 }
 
 TEST(Likelihood, HiddenSharesKeepLargerSizesPossible) {

@@ -21,7 +21,10 @@ TEST(Matcher, LikelihoodRatioByHand) {
 class BruteForce {
  public:
   BruteForce(const Ontology& ontology, std::vector<Item> items, const Surrounding& around)
-      : ontology_(ontology), items_(std::move(items)), around_(around), belief_(ontology.classes.size()),
+      : ontology_(ontology),
+        items_(std::move(items)),
+        around_(around),
+        belief_(ontology.classes.size()),
         score_(ontology.classes.size()) {
     for (const int c : evaluation_order(ontology)) {
       belief_[c].assign(items_.size(), 0.0);
@@ -32,7 +35,8 @@ class BruteForce {
         for (const auto& clause : all_clauses(ontology, c)) {
           const double v = value(clause, static_cast<std::int32_t>(i));
           possible = possible && v >= required_gate;
-          score += clause.weight * log_likelihood_ratio(v, hit_rate_of(clause), background_of(clause));
+          score +=
+              clause.weight * log_likelihood_ratio(v, hit_rate_of(clause), background_of(clause));
         }
         if (!possible) continue;
         score_[c][i] = score;
@@ -47,11 +51,16 @@ class BruteForce {
   double value(const Clause& clause, std::int32_t i) const {
     const Item& a = items_[i];
     switch (clause.kind) {
-      case ClauseKind::feature: return feature(clause.feature, clause.range, a).likelihood;
-      case ClauseKind::horizontal: return horizontal(a, around_, clause.range.has_high() ? clause.range.high : 5.0).likelihood;
-      case ClauseKind::vertical: return vertical(a, around_, clause.range.has_high() ? clause.range.high : 5.0).likelihood;
-      case ClauseKind::rectangular: return rectangular(a).likelihood;
-      default: break;
+      case ClauseKind::feature:
+        return feature(clause.feature, clause.range, a).likelihood;
+      case ClauseKind::horizontal:
+        return horizontal(a, around_, clause.range.has_high() ? clause.range.high : 5.0).likelihood;
+      case ClauseKind::vertical:
+        return vertical(a, around_, clause.range.has_high() ? clause.range.high : 5.0).likelihood;
+      case ClauseKind::rectangular:
+        return rectangular(a).likelihood;
+      default:
+        break;
     }
     double best = 0.0;
     double none = 1.0;
@@ -59,7 +68,8 @@ class BruteForce {
     for (std::size_t t = 0; t < items_.size(); ++t) {
       if (static_cast<std::int32_t>(t) == i) continue;
       double product = belief_[target][t];
-      for (const auto& term : clause.relations) product *= relate(term, a, items_[t], around_).likelihood;
+      for (const auto& term : clause.relations)
+        product *= relate(term, a, items_[t], around_).likelihood;
       best = std::max(best, product);
       none *= 1.0 - product;
     }
@@ -110,9 +120,12 @@ TEST(Matcher, EqualsBruteForceOnRandomScenes) {
     for (int i = 0; i < count; ++i) {
       test::Plate plate;
       const double side = count > 100 ? 8.0 : 2.0;
-      plate.center = {random.uniform(-side, side), random.uniform(-side, side), random.uniform(0, 2)};
+      plate.center = {random.uniform(-side, side), random.uniform(-side, side),
+                      random.uniform(0, 2)};
       const auto way = random.below(5);
-      plate.normal = way < 2 ? Eigen::Vector3d::UnitZ() : way == 2 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
+      plate.normal = way < 2    ? Eigen::Vector3d::UnitZ()
+                     : way == 2 ? Eigen::Vector3d::UnitX()
+                                : Eigen::Vector3d::UnitY();
       plate.normal += 0.03 * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
       plate.along = {random.normal(), random.normal(), random.normal()};
       plate.length = random.uniform(0.2, 2.2);
@@ -129,14 +142,18 @@ TEST(Matcher, EqualsBruteForceOnRandomScenes) {
     const BruteForce brute(ontology, items, around);
     for (std::size_t c = 0; c < ontology.classes.size(); ++c) {
       std::vector<double> score(items.size(), -INFINITY);
-      for (const auto& candidate : matcher.candidates(static_cast<int>(c))) score[candidate.item] = candidate.score;
+      for (const auto& candidate : matcher.candidates(static_cast<int>(c)))
+        score[candidate.item] = candidate.score;
       for (std::size_t i = 0; i < items.size(); ++i) {
-        const bool both_out = std::isinf(score[i]) && std::isinf(brute.score(static_cast<int>(c), i));
+        const bool both_out =
+            std::isinf(score[i]) && std::isinf(brute.score(static_cast<int>(c), i));
         if (!both_out) {
-          ASSERT_NEAR(score[i], brute.score(static_cast<int>(c), i), 1e-9) << ontology.classes[c].name() << " " << i;
+          ASSERT_NEAR(score[i], brute.score(static_cast<int>(c), i), 1e-9)
+              << ontology.classes[c].name() << " " << i;
           ++compared;
         }
-        ASSERT_NEAR(matcher.belief(static_cast<int>(c), static_cast<std::int32_t>(i)), brute.belief(static_cast<int>(c), i), 1e-9);
+        ASSERT_NEAR(matcher.belief(static_cast<int>(c), static_cast<std::int32_t>(i)),
+                    brute.belief(static_cast<int>(c), i), 1e-9);
       }
     }
   }
@@ -144,9 +161,12 @@ TEST(Matcher, EqualsBruteForceOnRandomScenes) {
 }
 
 TEST(Matcher, ContextDoesNotSupportItself) {
-  // Two kinds of boxes that vouch for each other by "usually": without anything else they stay where they were.
+  // Two kinds of boxes that vouch for each other by "usually": without anything else they stay
+  // where they were.
   const Ontology ontology = parse_ontology(
-      "class a:\n    area 0.1..1 m2\n    usually near a b\nclass b:\n    area 0.1..1 m2\n    usually near a a\n", "x.sdl");
+      "class a:\n    area 0.1..1 m2\n    usually near a b\nclass b:\n    area 0.1..1 m2\n    "
+      "usually near a a\n",
+      "x.sdl");
   std::vector<test::Plate> plates(2);
   plates[1].center.x() = 1.2;
   const auto items = make_items(test::make_surfaces(plates), Eigen::Matrix3d::Identity());

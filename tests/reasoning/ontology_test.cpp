@@ -12,7 +12,8 @@ namespace scanchor {
 namespace {
 
 struct Folder : testing::Test {
-  std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "scanchor_ontology_test";
+  std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / "scanchor_ontology_test";
   void SetUp() override { std::filesystem::create_directories(folder); }
   void TearDown() override { std::filesystem::remove_all(folder); }
   std::string write(const std::string& name, const std::string& text) const {
@@ -48,7 +49,8 @@ TEST_F(Folder, FoundByVariableAndMissingOnesAreListed) {
     find_ontology("mien");
     ADD_FAILURE();
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("did you mean 'mine'"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("did you mean 'mine'"), std::string::npos)
+        << error.what();
   }
   unsetenv("SCANCHOR_ONTOLOGIES");
 }
@@ -66,7 +68,9 @@ TEST(Ontology, ShippedOnesAreFoundByName) {
 
 TEST(Ontology, OrderPutsNeedsFirstAndParentsCount) {
   const auto ontology = parse_ontology(
-      "class c:\n    on a b\nclass b is a a:\n    lowest\nclass a:\n    vertical\n    usually near a c\n", "x.sdl");
+      "class c:\n    on a b\nclass b is a a:\n    lowest\nclass a:\n    vertical\n    usually near "
+      "a c\n",
+      "x.sdl");
   EXPECT_EQ(evaluation_order(ontology), (std::vector<int>{2, 1, 0}));
   EXPECT_EQ(all_clauses(ontology, 1).size(), 3U);
   EXPECT_EQ(all_clauses(ontology, 1)[0].kind, ClauseKind::vertical);

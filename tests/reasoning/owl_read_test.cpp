@@ -29,7 +29,8 @@ std::string bare(Ontology ontology) {
 TEST(OwlRead, RoundTripIsEqual) {
   for (const std::string name : {"paper", "office", "home", "storage"}) {
     const auto ontology = test::shipped(name);
-    EXPECT_EQ(bare(ontology_from_turtle(ontology_to_turtle(ontology), name + ".ttl")), bare(ontology));
+    EXPECT_EQ(bare(ontology_from_turtle(ontology_to_turtle(ontology), name + ".ttl")),
+              bare(ontology));
   }
 }
 
@@ -46,7 +47,8 @@ TEST(OwlRead, ReadsWhatOtherToolsWrite) {
     [ a owl:Restriction ; owl:onProperty sdl:area ; owl:someValuesFrom [ a rdfs:Datatype ; owl:onDatatype xsd:double ;
         owl:withRestrictions ( [ xsd:minInclusive "0.5"^^xsd:double ] [ xsd:maxInclusive 1.5e0 ] ) ] ] ,
     [ a owl:Restriction ; owl:onProperty sdl:parallelTo ; owl:someValuesFrom :ground ] .
-)", "own.ttl");
+)",
+                                             "own.ttl");
   ASSERT_EQ(ontology.classes.size(), 2U);
   EXPECT_EQ(ontology.classes[1].name(), "tea table");
   ASSERT_EQ(ontology.classes[1].clauses.size(), 2U);

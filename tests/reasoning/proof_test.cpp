@@ -9,7 +9,8 @@ namespace scanchor {
 namespace {
 
 TEST(Proof, ScreenLeadsToDeskToFloor) {
-  const auto labelling = reason(test::make_surfaces(test::paper_room()), test::shipped("paper"), {});
+  const auto labelling =
+      reason(test::make_surfaces(test::paper_room()), test::shipped("paper"), {});
   const auto& screen = labelling.entities[7];
   ASSERT_EQ(screen.proof.size(), 4U);
   EXPECT_EQ(screen.proof[0].text, "area 0.1..0.35 m2");

@@ -24,8 +24,10 @@ const Labels office_labels = {"floor",   "wall",    "wall",  "wall",  "wall",  "
                               "monitor", "monitor", "shelf", "shelf", "shelf", "shelf"};
 
 TEST(Reason, NamesThePapersRoom) {
-  const auto labelling = reason(test::make_surfaces(test::paper_room()), test::shipped("paper"), {});
-  EXPECT_EQ(labels(labelling), (Labels{"floor", "unknown", "unknown", "unknown", "unknown", "unknown", "desk", "screen", "screen"}));
+  const auto labelling =
+      reason(test::make_surfaces(test::paper_room()), test::shipped("paper"), {});
+  EXPECT_EQ(labels(labelling), (Labels{"floor", "unknown", "unknown", "unknown", "unknown",
+                                       "unknown", "desk", "screen", "screen"}));
   EXPECT_NEAR(labelling.up.z(), 1.0, 1e-6);
   EXPECT_LT(labelling.up_sigma, 0.02);
 }
@@ -43,7 +45,8 @@ TEST(Reason, DeskTopThatIsHalfInTheShadow) {
   plates[6].length = 1.2;
   plates[6].center.x() -= 0.2;
   plates[6].hidden = 0.4;
-  EXPECT_EQ(reason(test::make_surfaces(plates), test::shipped("office"), {}).entities[6].label, "desk");
+  EXPECT_EQ(reason(test::make_surfaces(plates), test::shipped("office"), {}).entities[6].label,
+            "desk");
 }
 
 TEST(Reason, OrderOfTheSurfacesDoesNotMatter) {
@@ -55,7 +58,8 @@ TEST(Reason, OrderOfTheSurfacesDoesNotMatter) {
   for (int round = 0; round < 5; ++round) {
     std::vector<std::size_t> order(plates.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(static_cast<std::uint32_t>(i))]);
+    for (std::size_t i = order.size(); i > 1; --i)
+      std::swap(order[i - 1], order[random.below(static_cast<std::uint32_t>(i))]);
     std::vector<test::Plate> shuffled;
     for (const auto i : order) shuffled.push_back(plates[i]);
     const auto again = reason(test::make_surfaces(shuffled), ontology, {});
@@ -72,19 +76,26 @@ TEST(Reason, FrameDoesNotMatterWhenUpIsGiven) {
   const auto ontology = test::shipped("office");
   for (int i = 0; i < 5; ++i) {
     Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-    T.linear() = Eigen::Quaterniond(random.normal(), random.normal(), random.normal(), random.normal()).normalized().toRotationMatrix();
+    T.linear() =
+        Eigen::Quaterniond(random.normal(), random.normal(), random.normal(), random.normal())
+            .normalized()
+            .toRotationMatrix();
     T.translation() = Eigen::Vector3d(random.uniform(-50, 50), 3, -7);
     ReasonOptions options;
     const Eigen::Vector3d up = T.linear().col(2);
-    options.up = std::to_string(up.x()) + "," + std::to_string(up.y()) + "," + std::to_string(up.z());
+    options.up =
+        std::to_string(up.x()) + "," + std::to_string(up.y()) + "," + std::to_string(up.z());
     EXPECT_EQ(labels(reason(test::moved(surfaces, T), ontology, options)), office_labels);
   }
 }
 
 TEST(Reason, TiltedGravityIsMended) {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  T.linear() = Eigen::AngleAxisd(radians(3.5), Eigen::Vector3d(1, 1, 0).normalized()).toRotationMatrix();
-  EXPECT_EQ(labels(reason(test::moved(test::make_surfaces(office()), T), test::shipped("office"), {})), office_labels);
+  T.linear() =
+      Eigen::AngleAxisd(radians(3.5), Eigen::Vector3d(1, 1, 0).normalized()).toRotationMatrix();
+  EXPECT_EQ(
+      labels(reason(test::moved(test::make_surfaces(office()), T), test::shipped("office"), {})),
+      office_labels);
 }
 
 // Honest answers to what cannot be known.
@@ -109,7 +120,8 @@ TEST(Reason, WithoutAFloorNothingStandsOnIt) {
 
 TEST(Reason, UpsideDownIsNotNamedWithConfidence) {
   auto plates = office();
-  for (int i = 0; i < 4; ++i) plates.push_back({{-2.1 + 1.45 * i, 0.0, 0.74}, {0, 0, 1}, {1, 0, 0}, 1.4, 0.75});
+  for (int i = 0; i < 4; ++i)
+    plates.push_back({{-2.1 + 1.45 * i, 0.0, 0.74}, {0, 0, 1}, {1, 0, 0}, 1.4, 0.75});
   auto surfaces = test::make_surfaces(plates);
   surfaces.sensor_positions = {Eigen::Vector3d(0.2, -0.8, 1.4)};
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
@@ -127,7 +139,10 @@ TEST(Reason, UpsideDownIsNotNamedWithConfidence) {
 }
 
 TEST(Reason, OneClassIsNotTheAnswerToEverything) {
-  const auto ontology = parse_ontology("class desk:\n    area 0.9..1.7 m2\n    extension 1.2..2 m\n    rectangular\n    horizontal\n", "x.sdl");
+  const auto ontology = parse_ontology(
+      "class desk:\n    area 0.9..1.7 m2\n    extension 1.2..2 m\n    rectangular\n    "
+      "horizontal\n",
+      "x.sdl");
   const auto all = labels(reason(test::make_surfaces(office()), ontology, {}));
   EXPECT_EQ(std::count(all.begin(), all.end(), "desk"), 1);
 }
@@ -136,13 +151,18 @@ TEST(Reason, FiveThousandIdenticalSurfaces) {
   std::vector<test::Plate> plates(5000, test::desk_plate());
   const auto labelling = reason(test::make_surfaces(plates), test::shipped("office"), {});
   ASSERT_EQ(labelling.entities.size(), 5000U);
-  for (const auto& entity : labelling.entities) EXPECT_EQ(entity.label, labelling.entities[0].label);
+  for (const auto& entity : labelling.entities)
+    EXPECT_EQ(entity.label, labelling.entities[0].label);
   EXPECT_NE(labelling.entities[0].label, "desk") << "without a floor there is no desk";
 }
 
 TEST(Reason, ContradictionsHoldForNothing) {
-  const auto ontology = parse_ontology("class a:\n    horizontal\n    vertical\nclass b:\n    extension at most 1 m\n    extension at least 3 m\n", "x.sdl");
-  for (const auto& label : labels(reason(test::make_surfaces(office()), ontology, {}))) EXPECT_EQ(label, "unknown");
+  const auto ontology = parse_ontology(
+      "class a:\n    horizontal\n    vertical\nclass b:\n    extension at most 1 m\n    extension "
+      "at least 3 m\n",
+      "x.sdl");
+  for (const auto& label : labels(reason(test::make_surfaces(office()), ontology, {})))
+    EXPECT_EQ(label, "unknown");
 }
 
 TEST(Reason, BadInputIsRefused) {
@@ -161,7 +181,8 @@ TEST(Reason, SurfacesWithoutShapeAreUnknown) {
     s.rectangle = {};
     s.area = {};
   }
-  for (const auto& label : labels(reason(surfaces, test::shipped("office"), {}))) EXPECT_EQ(label, "unknown");
+  for (const auto& label : labels(reason(surfaces, test::shipped("office"), {})))
+    EXPECT_EQ(label, "unknown");
 }
 
 }  // namespace

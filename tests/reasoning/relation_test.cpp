@@ -20,7 +20,9 @@ Item item(const Plate& plate, std::int32_t id = 0) {
   return items[0];
 }
 
-double value(Relation relation, const Plate& a, const Plate& b) { return relate({relation, {}}, item(a), item(b), {}).likelihood; }
+double value(Relation relation, const Plate& a, const Plate& b) {
+  return relate({relation, {}}, item(a), item(b), {}).likelihood;
+}
 
 Eigen::Vector3d tilted(double degrees_off) {
   const double t = radians(degrees_off);
@@ -31,7 +33,8 @@ Plate random_plate(SequentialRandom& random) {
   Plate plate;
   plate.center = {random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(0, 2)};
   plate.normal = {random.normal(), random.normal(), random.normal()};
-  if (random.chance(0.6)) plate.normal = random.chance(0.5) ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
+  if (random.chance(0.6))
+    plate.normal = random.chance(0.5) ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
   plate.along = {random.normal(), random.normal(), random.normal()};
   plate.length = random.uniform(0.3, 2.0);
   plate.width = random.uniform(0.2, 1.0) * plate.length;
@@ -103,7 +106,9 @@ TEST(Relation, SidesAreSeenFromTheRobot) {
   around.viewpoint = Eigen::Vector3d(0, -5, 1);
   const Plate b{{0, 0, 1}};
   const Plate left{{-2, 0, 1}};
-  const auto of = [&](Relation r) { return relate({r, {}}, item(left), item(b), around).likelihood; };
+  const auto of = [&](Relation r) {
+    return relate({r, {}}, item(left), item(b), around).likelihood;
+  };
   EXPECT_GT(of(Relation::left_of), 0.95);
   EXPECT_LT(of(Relation::right_of), 0.05);
   EXPECT_LT(of(Relation::behind), 0.05);
@@ -133,19 +138,25 @@ TEST(Relation, PropertiesHoldForRandomPairs) {
     };
     for (const auto& word : relation_vocabulary()) {
       RelationTerm term{word.relation, {}};
-      if (word.relation == Relation::elevation || word.relation == Relation::bottom || word.relation == Relation::top) {
+      if (word.relation == Relation::elevation || word.relation == Relation::bottom ||
+          word.relation == Relation::top) {
         term.range.low = 0.2;
         term.range.high = 0.9;
       }
       const double l = relate(term, ia, ib, {}).likelihood;
       ASSERT_TRUE(l >= 0.0 && l <= 1.0) << word.words;
-      EXPECT_NEAR(relate(term, ia, fb, {}).likelihood, l, 1e-6) << word.words << ": the sign of a normal matters";
-      EXPECT_NEAR(relate(term, item(move(a)), item(move(b)), {}).likelihood, l, 1e-5) << word.words << ": the frame matters";
+      EXPECT_NEAR(relate(term, ia, fb, {}).likelihood, l, 1e-6)
+          << word.words << ": the sign of a normal matters";
+      EXPECT_NEAR(relate(term, item(move(a)), item(move(b)), {}).likelihood, l, 1e-5)
+          << word.words << ": the frame matters";
       if (word.symmetric) {
-        EXPECT_NEAR(relate(term, ib, ia, {}).likelihood, l, 1e-9) << word.words << " is not symmetric";
+        EXPECT_NEAR(relate(term, ib, ia, {}).likelihood, l, 1e-9)
+            << word.words << " is not symmetric";
       }
     }
-    const auto of = [&](Relation r, const Item& x, const Item& y) { return relate({r, {}}, x, y, {}).likelihood; };
+    const auto of = [&](Relation r, const Item& x, const Item& y) {
+      return relate({r, {}}, x, y, {}).likelihood;
+    };
     EXPECT_LE(of(Relation::above, ia, ib) + of(Relation::above, ib, ia), 1.0 + 1e-9);
     EXPECT_EQ(of(Relation::above, ia, ib), of(Relation::below, ib, ia));
     EXPECT_EQ(of(Relation::on, ia, ib), of(Relation::supports, ib, ia));

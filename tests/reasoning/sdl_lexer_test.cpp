@@ -33,7 +33,9 @@ TEST(SdlLexer, WordsMayBeUtf8) {
   EXPECT_EQ(line.tokens[1].text, "Büro-Möbel");
 }
 
-TEST(SdlLexer, SplitWords) { EXPECT_EQ(split_words("same size as"), (std::vector<std::string>{"same", "size", "as"})); }
+TEST(SdlLexer, SplitWords) {
+  EXPECT_EQ(split_words("same size as"), (std::vector<std::string>{"same", "size", "as"}));
+}
 
 }  // namespace
 }  // namespace scanchor

@@ -13,21 +13,30 @@ std::vector<std::string> rules(const std::string& text) {
 using Rules = std::vector<std::string>;
 
 TEST(SdlLint, FindsEachRule) {
-  EXPECT_EQ(rules("class a:\n    extension at most 1 m\n    extension at least 2 m\n"), Rules{"contradiction"});
-  EXPECT_EQ(rules("class a:\n    area at least 3 m2\n    extension at most 1 m\n"), Rules{"contradiction"});
+  EXPECT_EQ(rules("class a:\n    extension at most 1 m\n    extension at least 2 m\n"),
+            Rules{"contradiction"});
+  EXPECT_EQ(rules("class a:\n    area at least 3 m2\n    extension at most 1 m\n"),
+            Rules{"contradiction"});
   EXPECT_EQ(rules("class a:\n    horizontal\n    vertical\n"), Rules{"contradiction"});
-  EXPECT_EQ(rules("class f:\n    lowest\nclass a:\n    above and below a f\n"), Rules{"contradiction"});
-  EXPECT_EQ(rules("class a:\n    horizontal\n    vertical\nclass b:\n    on a a\n"), (Rules{"contradiction", "never grounded"}));
+  EXPECT_EQ(rules("class f:\n    lowest\nclass a:\n    above and below a f\n"),
+            Rules{"contradiction"});
+  EXPECT_EQ(rules("class a:\n    horizontal\n    vertical\nclass b:\n    on a a\n"),
+            (Rules{"contradiction", "never grounded"}));
   EXPECT_EQ(rules("class a:\n    lowest\n    area at least 0 m2\n"), Rules{"always true"});
-  EXPECT_EQ(rules("class a:\n    extension at most 1 m\n    width at most 2 m\n    extension at most 3 m\n"), Rules{"always true"});
+  EXPECT_EQ(rules("class a:\n    extension at most 1 m\n    width at most 2 m\n    extension at "
+                  "most 3 m\n"),
+            Rules{"always true"});
   EXPECT_EQ(rules("class a:\n    lowest\n    lowest\n"), Rules{"always true"});
-  EXPECT_EQ(rules("class a:\n    lowest\n    horizontal\nclass b:\n    horizontal\n    lowest\n"), Rules{"same description"});
-  EXPECT_EQ(rules("class b part of top:\n    vertical\nclass top:\n    lowest\n"), Rules{"part without relation"});
+  EXPECT_EQ(rules("class a:\n    lowest\n    horizontal\nclass b:\n    horizontal\n    lowest\n"),
+            Rules{"same description"});
+  EXPECT_EQ(rules("class b part of top:\n    vertical\nclass top:\n    lowest\n"),
+            Rules{"part without relation"});
 }
 
 TEST(SdlLint, SilentOnWhatIsShipped) {
   for (const std::string name : {"paper", "office", "home", "storage"}) {
-    const auto ontology = read_ontology(std::string(SCANCHOR_SOURCE_DIR) + "/ontologies/" + name + ".sdl");
+    const auto ontology =
+        read_ontology(std::string(SCANCHOR_SOURCE_DIR) + "/ontologies/" + name + ".sdl");
     for (const auto& finding : lint(ontology)) ADD_FAILURE() << lint_text(finding);
   }
 }

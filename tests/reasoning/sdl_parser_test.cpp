@@ -49,7 +49,8 @@ class kind is a thing:
     top 1..2 m above a floor
 class piece part of thing:
     touching a thing
-)", "own.sdl");
+)",
+                                       "own.sdl");
   ASSERT_EQ(ontology.classes.size(), 5U);
   const auto& thing = ontology.classes[1];
   EXPECT_EQ(thing.names, (std::vector<std::string>{"thing", "object"}));
@@ -101,7 +102,8 @@ TEST(SdlParser, ErrorsNamePlaceLineCaretAndRemedy) {
   has("    lowest\n", "a clause needs a class");
   has("class a:\n    lowest\nclass a:\n    lowest\n", "described twice");
   has("class a:\n    weight 2 area 1..2 m2\n", "a weight is");
-  has("class s:\n    at least 2 bs, each pair\n        paralel\nclass b:\n    lowest\n", "did you mean 'parallel'?");
+  has("class s:\n    at least 2 bs, each pair\n        paralel\nclass b:\n    lowest\n",
+      "did you mean 'parallel'?");
   has("class s:\n    at least 2 bs, each pair\nclass b:\n    lowest\n", "'each pair' needs");
   has("axiom floor:\n    above a floor\n", "an axiom depends on no other class");
   has("class a:\n    lowest lowest\n", "nothing more was expected");
@@ -113,12 +115,16 @@ TEST(SdlParser, CirclesNameTheirClasses) {
   const auto message = error_of(text);
   EXPECT_NE(message.find("desk needs screen needs desk"), std::string::npos) << message;
   EXPECT_NE(message.find("can never be grounded"), std::string::npos);
-  EXPECT_EQ(error_of("class desk:\n    lowest\n    usually below a screen\nclass screen:\n    above a desk\n"), "");
+  EXPECT_EQ(
+      error_of(
+          "class desk:\n    lowest\n    usually below a screen\nclass screen:\n    above a desk\n"),
+      "");
 }
 
 TEST(SdlParser, SurvivesAnyText) {
   const std::string base =
-      "import office\naxiom floor:\n    area at least 2 m2\nclass shelf, rack:\n    at least 2 floors, each pair\n        parallel\n"
+      "import office\naxiom floor:\n    area at least 2 m2\nclass shelf, rack:\n    at least 2 "
+      "floors, each pair\n        parallel\n"
       "    usually not on a floor  # x\n";
   SequentialRandom random(5);
   for (int i = 0; i < 1500; ++i) {

@@ -7,18 +7,23 @@
 namespace scanchor {
 namespace {
 
-// Every clause of every class file that is shipped reads back from its own words to the same clause.
+// Every clause of every class file that is shipped reads back from its own words to the same
+// clause.
 TEST(SdlWords, ClausesReadBackFromTheirText) {
   for (const std::string name : {"paper", "office", "home", "storage"}) {
-    const auto ontology = read_ontology(std::string(SCANCHOR_SOURCE_DIR) + "/ontologies/" + name + ".sdl");
+    const auto ontology =
+        read_ontology(std::string(SCANCHOR_SOURCE_DIR) + "/ontologies/" + name + ".sdl");
     for (const auto& description : ontology.classes) {
       for (const auto& clause : description.clauses) {
         std::string others;
-        for (const auto& other : ontology.class_names()) others += "class " + other + ":\n    lowest\n";
-        const auto again = parse_ontology(others + "class the subject:\n    " + clause_text(clause) + "\n", "again.sdl");
+        for (const auto& other : ontology.class_names())
+          others += "class " + other + ":\n    lowest\n";
+        const auto again = parse_ontology(
+            others + "class the subject:\n    " + clause_text(clause) + "\n", "again.sdl");
         EXPECT_EQ(clause_text(again.classes.back().clauses[0]), clause_text(clause));
         EXPECT_EQ(again.classes.back().clauses[0].range, clause.range) << clause_text(clause);
-        EXPECT_EQ(again.classes.back().clauses[0].relations, clause.relations) << clause_text(clause);
+        EXPECT_EQ(again.classes.back().clauses[0].relations, clause.relations)
+            << clause_text(clause);
       }
     }
   }

@@ -36,14 +36,18 @@ TEST(UnaryIndex, LosesNothingAndLeavesOutMost) {
   std::size_t needed = 0;
   for (int round = 0; round < 60; ++round) {
     const double low = random.uniform(0.01, 2.0);
-    const auto text = "class a:\n    " + std::string(random.chance(0.5) ? "horizontal" : "vertical") + "\n    area " +
+    const auto text = "class a:\n    " +
+                      std::string(random.chance(0.5) ? "horizontal" : "vertical") + "\n    area " +
                       std::to_string(low) + ".." + std::to_string(low * 1.4) + " m2\n";
     const auto clauses = parse_ontology(text, "x.sdl").classes[0].clauses;
     const auto ids = index.candidates(clauses);
     kept += ids.size();
     for (const auto& item : items) {
-      const double first = clauses[0].kind == ClauseKind::horizontal ? level[item.id].likelihood : upright[item.id].likelihood;
-      if (first < required_gate || feature(Feature::area, clauses[1].range, item).likelihood < required_gate) continue;
+      const double first = clauses[0].kind == ClauseKind::horizontal ? level[item.id].likelihood
+                                                                     : upright[item.id].likelihood;
+      if (first < required_gate ||
+          feature(Feature::area, clauses[1].range, item).likelihood < required_gate)
+        continue;
       ++needed;
       EXPECT_TRUE(std::binary_search(ids.begin(), ids.end(), item.id));
     }

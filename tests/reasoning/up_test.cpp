@@ -10,14 +10,17 @@
 namespace scanchor {
 namespace {
 
-double off_deg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return degrees(std::atan2(a.cross(b).norm(), a.dot(b))); }
+double off_deg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return degrees(std::atan2(a.cross(b).norm(), a.dot(b)));
+}
 
 TEST(Up, FloorAndWallsMendATiltedGuess) {
   SequentialRandom random(2);
   const auto room = test::make_surfaces(test::paper_room());
   for (int i = 0; i < 30; ++i) {
     const double turn = radians(4.0) * random.uniform();
-    const Eigen::Vector3d axis = Eigen::Vector3d(random.normal(), random.normal(), 0.0).normalized();
+    const Eigen::Vector3d axis =
+        Eigen::Vector3d(random.normal(), random.normal(), 0.0).normalized();
     Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
     T.linear() = Eigen::AngleAxisd(turn, axis).toRotationMatrix();
     const auto up = find_up(test::moved(room, T), "0,0,1", radians(3.0));
@@ -36,12 +39,16 @@ TEST(Up, StaysWhereItWasWithoutEvidence) {
 TEST(Up, AutoFindsItInAnyPose) {
   SequentialRandom random(9);
   auto plates = test::paper_room();
-  for (int i = 0; i < 3; ++i) plates.push_back({{-1.5 + i, -1.0, 0.74}, {0, 0, 1}, {1, 0, 0}, 0.9, 0.8});
+  for (int i = 0; i < 3; ++i)
+    plates.push_back({{-1.5 + i, -1.0, 0.74}, {0, 0, 1}, {1, 0, 0}, 0.9, 0.8});
   auto room = test::make_surfaces(plates);
   room.sensor_positions = {Eigen::Vector3d(0, 0, 1.4)};
   for (int i = 0; i < 20; ++i) {
     Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-    T.linear() = Eigen::Quaterniond(random.normal(), random.normal(), random.normal(), random.normal()).normalized().toRotationMatrix();
+    T.linear() =
+        Eigen::Quaterniond(random.normal(), random.normal(), random.normal(), random.normal())
+            .normalized()
+            .toRotationMatrix();
     const auto up = find_up(test::moved(room, T), "auto", 0.1);
     EXPECT_LT(off_deg(up.up, T.linear().col(2)), 1.0);
   }
@@ -52,7 +59,8 @@ TEST(Up, UpsideDownIsNoticed) {
   room.sensor_positions = {Eigen::Vector3d(0, 0, 1.4)};
   EXPECT_GT(find_up(room, "0,0,1", 0.03).upright, 0.9);
   auto plates = test::paper_room();
-  for (int i = 0; i < 4; ++i) plates.push_back({{-1.5 + i, -1.0, 0.74}, {0, 0, 1}, {1, 0, 0}, 0.9, 0.9});
+  for (int i = 0; i < 4; ++i)
+    plates.push_back({{-1.5 + i, -1.0, 0.74}, {0, 0, 1}, {1, 0, 0}, 0.9, 0.9});
   auto full = test::make_surfaces(plates);
   full.sensor_positions = {Eigen::Vector3d(0, 0, 1.4)};
   EXPECT_LT(find_up(full, "0,0,-1", 0.03).upright, 0.3);

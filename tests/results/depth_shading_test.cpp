@@ -31,7 +31,8 @@ TEST(DepthShading, DarkensACreaseAndNothingElse) {
   Frame frame{blank_image(80, 60, {200, 200, 200}), std::vector<float>(80 * 60)};
   for (int y = 0; y < 60; ++y) {
     for (int x = 0; x < 80; ++x) {
-      // A trough of two planes with its deepest line at x = 40: over a plane, 1 / distance is linear.
+      // A trough of two planes with its deepest line at x = 40: over a plane, 1 / distance is
+      // linear.
       frame.distance[std::size_t(y) * 80 + std::size_t(x)] =
           1.0F / (0.333F + 0.003F * float(std::abs(x - 40)));
     }

@@ -87,7 +87,8 @@ TEST(Overlay, LabelsDoNotOverlapEachOtherNorTheLegend) {
   const Projection projection = projection_for(drawing, framed_view(drawing, options), options);
   const Overlay overlay = make_overlay(drawing, projection, options, {});
   EXPECT_EQ(overlay.labels.size() + overlay.labels_left_out, 60u);
-  // More have no free place near their thing: 35 as measured. What is left out is counted, never laid over another.
+  // More have no free place near their thing: 35 as measured. What is left out is counted, never
+  // laid over another.
   EXPECT_GT(overlay.labels.size(), 30u);
   for (std::size_t i = 0; i < overlay.labels.size(); ++i) {
     EXPECT_LE(overlay.labels[i].box.x + overlay.labels[i].box.w,

@@ -22,7 +22,8 @@ TEST(Catalogue, HasThirtyKindsAndMoreInSeveralVariants) {
   EXPECT_GE(names.size(), 30U);
 }
 
-// Every variant of every kind, several seeds, usual and unusual sizes: whole meshes, no tied faces, true numbers.
+// Every variant of every kind, several seeds, usual and unusual sizes: whole meshes, no tied faces,
+// true numbers.
 class EveryKind : public ::testing::TestWithParam<std::size_t> {};
 
 TEST_P(EveryKind, IsSound) {
@@ -45,10 +46,13 @@ TEST_P(EveryKind, IsSound) {
         Part measured = part;
         measure_faces(measured);
         for (std::size_t f = 0; f < part.faces.size(); ++f) {
-          EXPECT_NEAR(measured.faces[f].area, part.faces[f].area, 1e-12) << what << " / " << part.name;
+          EXPECT_NEAR(measured.faces[f].area, part.faces[f].area, 1e-12)
+              << what << " / " << part.name;
           if (!part.faces[f].planar) continue;
-          EXPECT_NEAR((measured.faces[f].center - part.faces[f].center).norm(), 0, 1e-12) << what << " / " << part.name;
-          EXPECT_NEAR((measured.faces[f].size - part.faces[f].size).norm(), 0, 1e-12) << what << " / " << part.name;
+          EXPECT_NEAR((measured.faces[f].center - part.faces[f].center).norm(), 0, 1e-12)
+              << what << " / " << part.name;
+          EXPECT_NEAR((measured.faces[f].size - part.faces[f].size).norm(), 0, 1e-12)
+              << what << " / " << part.name;
           EXPECT_LE(part.faces[f].area, part.faces[f].size.prod() + 1e-12) << what;
         }
       }
@@ -64,18 +68,22 @@ TEST_P(EveryKind, IsSound) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, EveryKind, ::testing::Range(std::size_t{0}, furniture_kinds().size()), [](const auto& kind) {
-  std::string name = furniture_kinds()[kind.param].name;
-  for (char& c : name) c = c == ' ' ? '_' : c;
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Catalogue, EveryKind,
+                         ::testing::Range(std::size_t{0}, furniture_kinds().size()),
+                         [](const auto& kind) {
+                           std::string name = furniture_kinds()[kind.param].name;
+                           for (char& c : name) c = c == ' ' ? '_' : c;
+                           return name;
+                         });
 
 TEST(Catalogue, TheSameRequestGivesTheSameThing) {
   for (const auto& kind : furniture_kinds()) {
     const std::string a = scene_to_json(testing::alone({kind.name, "", 5, {}, 0.0})).dump();
     EXPECT_EQ(a, scene_to_json(testing::alone({kind.name, "", 5, {}, 0.0})).dump()) << kind.name;
     bool differs = false;
-    for (std::uint64_t seed = 6; seed < 16; ++seed) differs = differs || a != scene_to_json(testing::alone({kind.name, "", seed, {}, 0.0})).dump();
+    for (std::uint64_t seed = 6; seed < 16; ++seed)
+      differs =
+          differs || a != scene_to_json(testing::alone({kind.name, "", seed, {}, 0.0})).dump();
     EXPECT_TRUE(differs) << kind.name;
   }
 }
@@ -93,10 +101,12 @@ TEST(Catalogue, UnusualSizesFallOutsideTheUsualRange) {
   Scene scene;
   int outside = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    const double usual = make_furniture(scene, {"table", "four legs", seed, {}, 0.0}).parameters.at("height");
+    const double usual =
+        make_furniture(scene, {"table", "four legs", seed, {}, 0.0}).parameters.at("height");
     EXPECT_GE(usual, 0.72);
     EXPECT_LE(usual, 0.78);
-    const double odd = make_furniture(scene, {"table", "four legs", seed, {}, 1.0}).parameters.at("height");
+    const double odd =
+        make_furniture(scene, {"table", "four legs", seed, {}, 1.0}).parameters.at("height");
     outside += odd < 0.72 || odd > 0.78 ? 1 : 0;
   }
   EXPECT_EQ(outside, 200);
@@ -115,8 +125,10 @@ TEST(Catalogue, MistakesNameWhatIsKnown) {
   };
   EXPECT_NE(line({"dexk", "", 0, {}, 0.0}).find("'desk'"), std::string::npos);
   EXPECT_NE(line({"desk", "four leg", 0, {}, 0.0}).find("'four legs'"), std::string::npos);
-  EXPECT_NE(line({"desk", "four legs", 0, {{"with", 1.0}}, 0.0}).find("'width'"), std::string::npos);
-  EXPECT_NE(line({"desk", "four legs", 0, {{"width", -1.0}}, 0.0}).find("0 .. 100"), std::string::npos);
+  EXPECT_NE(line({"desk", "four legs", 0, {{"with", 1.0}}, 0.0}).find("'width'"),
+            std::string::npos);
+  EXPECT_NE(line({"desk", "four legs", 0, {{"width", -1.0}}, 0.0}).find("0 .. 100"),
+            std::string::npos);
 }
 
 }  // namespace

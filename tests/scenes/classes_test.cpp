@@ -16,15 +16,17 @@ TEST(Classes, IdsAreTheirPlacesAndNamesAreUnique) {
     EXPECT_EQ(list[i].id, static_cast<ClassId>(i));
     EXPECT_TRUE(names.insert(list[i].name).second) << list[i].name;
     EXPECT_EQ(find_class(list[i].name), list[i].id);
-    for (const char c : list[i].name) EXPECT_TRUE(c == ' ' || (c >= 'a' && c <= 'z')) << list[i].name;
+    for (const char c : list[i].name)
+      EXPECT_TRUE(c == ' ' || (c >= 'a' && c <= 'z')) << list[i].name;
   }
 }
 
 // The numbers are a file format: this table is not to be edited when classes are added.
 TEST(Classes, NumbersNeverChangeTheirMeaning) {
-  const std::pair<ClassId, const char*> fixed[] = {{0, "unlabelled"}, {1, "floor"},    {2, "wall"},   {3, "ceiling"},    {6, "door"},
-                                                   {8, "desk"},       {9, "table"},    {12, "chair"}, {16, "shelf"},     {18, "cabinet"},
-                                                   {21, "monitor"},   {25, "whiteboard"}, {35, "box"}, {39, "mannequin"}, {55, "clutter"}};
+  const std::pair<ClassId, const char*> fixed[] = {
+      {0, "unlabelled"}, {1, "floor"},       {2, "wall"},   {3, "ceiling"},    {6, "door"},
+      {8, "desk"},       {9, "table"},       {12, "chair"}, {16, "shelf"},     {18, "cabinet"},
+      {21, "monitor"},   {25, "whiteboard"}, {35, "box"},   {39, "mannequin"}, {55, "clutter"}};
   for (const auto& [id, name] : fixed) EXPECT_EQ(class_info(id).name, name);
 }
 
@@ -48,7 +50,8 @@ TEST(Classes, KittiYamlHasEachClassOnce) {
   const std::string yaml = semantic_kitti_yaml();
   EXPECT_NE(yaml.find("  21: \"monitor\"\n"), std::string::npos);
   EXPECT_NE(yaml.find("  6: [0, 94, 213]\n"), std::string::npos) << "colours run blue, green, red";
-  for (const char* key : {"labels:", "color_map:", "learning_map:", "learning_map_inv:", "learning_ignore:"}) {
+  for (const char* key :
+       {"labels:", "color_map:", "learning_map:", "learning_map_inv:", "learning_ignore:"}) {
     EXPECT_NE(yaml.find(key), std::string::npos);
   }
 }
@@ -68,13 +71,17 @@ Lab lab(double r, double g, double b) {
   return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
 }
 
-// Machado, Oliveira, Fernandes, "A physiologically-based model for simulation of color vision deficiency" (2009), severity 1.
-constexpr double protanopia[9] = {0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116, 1.051998};
-constexpr double deuteranopia[9] = {0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.011820, 0.042940, 0.968881};
+// Machado, Oliveira, Fernandes, "A physiologically-based model for simulation of color vision
+// deficiency" (2009), severity 1.
+constexpr double protanopia[9] = {0.152286, 1.052583,  -0.204868, 0.114503, 0.786281,
+                                  0.099216, -0.003882, -0.048116, 1.051998};
+constexpr double deuteranopia[9] = {0.367322, 0.860646,  -0.227968, 0.280085, 0.672501,
+                                    0.047413, -0.011820, 0.042940,  0.968881};
 constexpr double normal_sight[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
 TEST(Classes, CommonColoursStayApartForTheColourBlind) {
-  const char* common[] = {"floor", "wall", "ceiling", "door", "window", "desk", "table", "chair", "shelf", "cabinet", "monitor", "box"};
+  const char* common[] = {"floor", "wall",  "ceiling", "door",    "window",  "desk",
+                          "table", "chair", "shelf",   "cabinet", "monitor", "box"};
   for (const auto* sight : {normal_sight, protanopia, deuteranopia}) {
     std::vector<Lab> seen;
     for (const char* name : common) {
@@ -89,7 +96,8 @@ TEST(Classes, CommonColoursStayApartForTheColourBlind) {
     }
     for (std::size_t i = 0; i < seen.size(); ++i) {
       for (std::size_t j = i + 1; j < seen.size(); ++j) {
-        const double d = std::hypot(seen[i].l - seen[j].l, seen[i].a - seen[j].a, seen[i].b - seen[j].b);
+        const double d =
+            std::hypot(seen[i].l - seen[j].l, seen[i].a - seen[j].a, seen[i].b - seen[j].b);
         EXPECT_GT(d, 10.0) << common[i] << " and " << common[j];
       }
     }

@@ -11,7 +11,10 @@ namespace scanchor {
 namespace {
 
 bool same_thing(const Instance& a, const Instance& b) {
-  if (a.id != b.id || a.class_id != b.class_id || a.T_world_instance.matrix() != b.T_world_instance.matrix() || a.parts.size() != b.parts.size()) return false;
+  if (a.id != b.id || a.class_id != b.class_id ||
+      a.T_world_instance.matrix() != b.T_world_instance.matrix() ||
+      a.parts.size() != b.parts.size())
+    return false;
   for (std::size_t p = 0; p < a.parts.size(); ++p) {
     if (a.parts[p].vertices != b.parts[p].vertices) return false;
   }
@@ -22,13 +25,19 @@ bool same_thing(const Instance& a, const Instance& b) {
 std::set<SpatialRelation> follows(SpatialRelation relation) {
   switch (relation) {
     case SpatialRelation::left_of:
-    case SpatialRelation::right_of: return {SpatialRelation::left_of, SpatialRelation::right_of};
+    case SpatialRelation::right_of:
+      return {SpatialRelation::left_of, SpatialRelation::right_of};
     case SpatialRelation::in_front_of:
-    case SpatialRelation::behind: return {SpatialRelation::in_front_of, SpatialRelation::behind};
-    case SpatialRelation::inside: return {SpatialRelation::inside, SpatialRelation::on};  // one cannot lie in a crate without lying on its bottom
+    case SpatialRelation::behind:
+      return {SpatialRelation::in_front_of, SpatialRelation::behind};
+    case SpatialRelation::inside:
+      return {SpatialRelation::inside,
+              SpatialRelation::on};  // one cannot lie in a crate without lying on its bottom
     // A board that is no longer parallel has other plane distances.
-    case SpatialRelation::coplanar: return {SpatialRelation::coplanar};
-    default: return {relation};
+    case SpatialRelation::coplanar:
+      return {SpatialRelation::coplanar};
+    default:
+      return {relation};
   }
 }
 
@@ -51,20 +60,26 @@ TEST_P(Contrast, PairsDifferInOneThingAndOneRelation) {
     for (std::size_t k = 0; k < relation_count; ++k) {
       const auto other = static_cast<SpatialRelation>(k);
       if (allowed.count(other) != 0 || needs_viewpoint(other)) continue;
-      EXPECT_EQ(value(pair.with, other).holds(), value(pair.without, other).holds()) << relation_name(relation) << " also changed " << relation_name(other) << " (seed " << seed << ")";
+      EXPECT_EQ(value(pair.with, other).holds(), value(pair.without, other).holds())
+          << relation_name(relation) << " also changed " << relation_name(other) << " (seed "
+          << seed << ")";
     }
     testing::expect_no_close_faces(pair.with, pair.with.name);
     testing::expect_no_close_faces(pair.without, pair.without.name);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Relations, Contrast, ::testing::Range(std::size_t{0}, relation_count), [](const auto& relation) {
-  std::string name(relation_name(static_cast<SpatialRelation>(relation.param)));
-  for (char& c : name) c = c == ' ' ? '_' : c;
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Relations, Contrast, ::testing::Range(std::size_t{0}, relation_count),
+                         [](const auto& relation) {
+                           std::string name(
+                               relation_name(static_cast<SpatialRelation>(relation.param)));
+                           for (char& c : name) c = c == ' ' ? '_' : c;
+                           return name;
+                         });
 
-TEST(ContrastPairs, AnImpossibleMarginIsAnError) { EXPECT_THROW(contrastive_pair(SpatialRelation::parallel, 1, 1.5), Error); }
+TEST(ContrastPairs, AnImpossibleMarginIsAnError) {
+  EXPECT_THROW(contrastive_pair(SpatialRelation::parallel, 1, 1.5), Error);
+}
 
 }  // namespace
 }  // namespace scanchor

@@ -45,8 +45,11 @@ TEST_P(EveryFamily, HasNoTiedFacesAndNoInterpenetration) {
       EXPECT_TRUE(ids.insert(instance.id).second) << what;
       EXPECT_NE(instance.class_id, unlabelled);
       EXPECT_TRUE(instance.T_world_instance.matrix().allFinite());
-      if (instance.kind == "floor" || instance.kind == "ceiling" || instance.kind == "wall" || instance.kind == "door" || instance.kind == "window") continue;
-      EXPECT_TRUE(scene.bounds.contains(world_bounds(instance))) << what << ": " << instance.kind << " leaves the room";
+      if (instance.kind == "floor" || instance.kind == "ceiling" || instance.kind == "wall" ||
+          instance.kind == "door" || instance.kind == "window")
+        continue;
+      EXPECT_TRUE(scene.bounds.contains(world_bounds(instance)))
+          << what << ": " << instance.kind << " leaves the room";
     }
   }
 }
@@ -63,17 +66,21 @@ TEST_P(EveryFamily, CanBeWalkedAndScanned) {
       EXPECT_NEAR(pose.linear()(2, 2), 1.0, 1e-12);
       // Nothing within 25 cm of the scanner.
       for (const auto& instance : scene.instances) {
-        if (instance.kind == "floor" || instance.kind == "ceiling" || instance.kind == "wall") continue;
+        if (instance.kind == "floor" || instance.kind == "ceiling" || instance.kind == "wall")
+          continue;
         for (const auto& box : part_boxes(instance)) {
-          const Eigen::Vector3d outside = ((box.axes.transpose() * (p - box.center)).cwiseAbs() - box.half).cwiseMax(0.0);
-          EXPECT_GE(outside.norm(), 0.25) << scene.name << ": " << instance.kind << " at the scanner";
+          const Eigen::Vector3d outside =
+              ((box.axes.transpose() * (p - box.center)).cwiseAbs() - box.half).cwiseMax(0.0);
+          EXPECT_GE(outside.norm(), 0.25)
+              << scene.name << ": " << instance.kind << " at the scanner";
         }
       }
     }
   }
 }
 
-// What lies starts a few millimetres above a face that will carry it; what is fixed stands on the floor or on something, or hangs.
+// What lies starts a few millimetres above a face that will carry it; what is fixed stands on the
+// floor or on something, or hangs.
 TEST_P(EveryFamily, LooseThingsStartJustAboveASupport) {
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     const Scene scene = generate_room(options(seed), seed);
@@ -87,7 +94,9 @@ TEST_P(EveryFamily, LooseThingsStartJustAboveASupport) {
           const Eigen::Isometry3d T = other.T_world_instance * part.T_instance_part;
           for (const auto& face : part.faces) {
             if (!face.planar || (T.linear() * face.normal).z() < 0.99) continue;
-            const Eigen::Vector3d local = T.inverse() * Eigen::Vector3d(bounds.center().x(), bounds.center().y(), (T * face.center).z());
+            const Eigen::Vector3d local =
+                T.inverse() *
+                Eigen::Vector3d(bounds.center().x(), bounds.center().y(), (T * face.center).z());
             const Eigen::Vector3d d = local - face.center;
             const double u = std::abs(d.dot(face.axis));
             const double v = std::abs(d.dot(face.normal.cross(face.axis)));
@@ -110,7 +119,8 @@ TEST_P(EveryFamily, GivesTheSameBytesOnOneAndTwoThreads) {
   const auto fill = [&](std::vector<std::string>& hashes, int threads) {
     const ThreadLimit limit(threads);
     parallel_blocks(hashes.size(), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) hashes[i] = sha256(scene_to_json(generate_room(of(family), i)).dump());
+      for (std::size_t i = begin; i < end; ++i)
+        hashes[i] = sha256(scene_to_json(generate_room(of(family), i)).dump());
     });
   };
   fill(one, 1);
@@ -119,17 +129,19 @@ TEST_P(EveryFamily, GivesTheSameBytesOnOneAndTwoThreads) {
   EXPECT_EQ(std::set<std::string>(one.begin(), one.end()).size(), one.size()) << "seeds differ";
 }
 
-INSTANTIATE_TEST_SUITE_P(Generator, EveryFamily, ::testing::ValuesIn(room_families()), [](const auto& family) {
-  std::string name = family.param;
-  for (char& c : name) c = c == ' ' || c == '-' ? '_' : c;
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Generator, EveryFamily, ::testing::ValuesIn(room_families()),
+                         [](const auto& family) {
+                           std::string name = family.param;
+                           for (char& c : name) c = c == ' ' || c == '-' ? '_' : c;
+                           return name;
+                         });
 
 TEST(Generator, OfficesHaveWhatTheDemoLooksFor) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const Scene scene = generate_room({}, seed);
     std::map<std::string, int> count;
-    for (const auto& instance : scene.instances) ++count[std::string(class_info(instance.class_id).name)];
+    for (const auto& instance : scene.instances)
+      ++count[std::string(class_info(instance.class_id).name)];
     EXPECT_GE(count["desk"], 1) << seed;
     EXPECT_GE(count["monitor"], 2) << seed;
     EXPECT_GE(count["shelf"], 1) << seed;
@@ -154,7 +166,8 @@ TEST(Generator, MonitorsFaceTheChair) {
       double cosine = 0.0;
       for (const auto& chair : scene.instances) {
         if (chair.kind != "chair") continue;
-        Eigen::Vector3d to = chair.T_world_instance.translation() - monitor.T_world_instance.translation();
+        Eigen::Vector3d to =
+            chair.T_world_instance.translation() - monitor.T_world_instance.translation();
         to.z() = 0;
         if (to.norm() < best) {
           best = to.norm();

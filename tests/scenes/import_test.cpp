@@ -17,7 +17,8 @@ std::filesystem::path temporary(const std::string& name, const std::string& cont
   return path;
 }
 
-// A table top of 2 x 1 m at y = 0.7 (y is up), as two quads back to back and a stool of one triangle.
+// A table top of 2 x 1 m at y = 0.7 (y is up), as two quads back to back and a stool of one
+// triangle.
 const char* const obj = R"(o Kitchen_Table
 v 0 0.7 0
 v 2 0.7 0
@@ -50,7 +51,8 @@ TEST(Import, TheCallersNamesWinAndScaleIsApplied) {
   if (!can_import_meshes()) return;
   MeshImport options;
   options.scale = 0.001;
-  const Scene scene = import_scene(temporary("desk.obj", obj), {{"kitchen", *find_class("desk")}}, options);
+  const Scene scene =
+      import_scene(temporary("desk.obj", obj), {{"kitchen", *find_class("desk")}}, options);
   EXPECT_EQ(class_info(scene.instances[0].class_id).name, "desk");
   EXPECT_NEAR(world_face(scene, {0, 0, 0}).size.x(), 0.002, 1e-9);
 }
@@ -78,7 +80,8 @@ TEST(Import, RealFurniture) {
   const std::filesystem::path folder = std::filesystem::path(SCANCHOR_SHARED_DATA) / "meshes";
   if (!can_import_meshes() || !std::filesystem::exists(folder)) GTEST_SKIP() << "no shared meshes";
   int files = 0;
-  for (const auto& [name, class_name] : {std::pair{"KitchenTable_01_visual.obj", "table"}, std::pair{"ReadingDesk_01_visual.obj", "desk"}}) {
+  for (const auto& [name, class_name] : {std::pair{"KitchenTable_01_visual.obj", "table"},
+                                         std::pair{"ReadingDesk_01_visual.obj", "desk"}}) {
     if (!std::filesystem::exists(folder / name)) continue;
     ++files;
     MeshImport z_up;
@@ -88,8 +91,11 @@ TEST(Import, RealFurniture) {
     EXPECT_EQ(class_info(scene.instances[0].class_id).name, class_name) << name;
     double largest = 0.0;
     for (const auto& address : all_faces(scene)) {
-      const auto& face = scene.instances[static_cast<std::size_t>(address.instance)].parts[static_cast<std::size_t>(address.part)].faces[static_cast<std::size_t>(address.face)];
-      if (face.planar && std::abs(world_face(scene, address).normal.z()) > 0.99) largest = std::max(largest, face.area);
+      const auto& face = scene.instances[static_cast<std::size_t>(address.instance)]
+                             .parts[static_cast<std::size_t>(address.part)]
+                             .faces[static_cast<std::size_t>(address.face)];
+      if (face.planar && std::abs(world_face(scene, address).normal.z()) > 0.99)
+        largest = std::max(largest, face.area);
     }
     EXPECT_GT(largest, 0.3) << name << ": a table has a top";
     EXPECT_LT(largest, 5.0) << name;

@@ -32,7 +32,8 @@ TEST(Materials, ASceneMayRedefineThem) {
   own.name = "beech";
   own.reflectance = 0.1;
   scene.materials.push_back(own);
-  EXPECT_EQ(scene.materials[static_cast<std::size_t>(use_material(scene, "beech"))].reflectance, 0.1);
+  EXPECT_EQ(scene.materials[static_cast<std::size_t>(use_material(scene, "beech"))].reflectance,
+            0.1);
 }
 
 TEST(Materials, UnknownOnesAreErrorsWithASuggestion) {

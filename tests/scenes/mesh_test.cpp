@@ -36,13 +36,15 @@ TEST(Mesh, CylinderBetweenPoints) {
   const Face* bottom = find_face(part, "bottom");
   ASSERT_NE(bottom, nullptr);
   EXPECT_NEAR((part.T_instance_part * bottom->center - p0).norm(), 0, 1e-12);
-  EXPECT_NEAR((part.T_instance_part.linear() * bottom->normal - (p0 - p1).normalized()).norm(), 0, 1e-12);
+  EXPECT_NEAR((part.T_instance_part.linear() * bottom->normal - (p0 - p1).normalized()).norm(), 0,
+              1e-12);
   EXPECT_NEAR(bottom->area, polygon, 1e-12);
   EXPECT_FALSE(find_face(part, "wall")->planar);
 }
 
 TEST(Mesh, LatheOfAVesselIsClosedAndHollow) {
-  const Part part = lathe_part("v", 0, {{0.1, 0}, {0.12, 0.3}, {0.11, 0.3}, {0.09, 0.02}, {0, 0.02}}, 20);
+  const Part part =
+      lathe_part("v", 0, {{0.1, 0}, {0.12, 0.3}, {0.11, 0.3}, {0.09, 0.02}, {0, 0.02}}, 20);
   EXPECT_EQ(open_edges(part), 0);
   EXPECT_FALSE(part.convex);
   EXPECT_GT(volume(part), 0.0);
@@ -76,7 +78,8 @@ TEST(Mesh, CushionFillsItsBox) {
     for (const auto& v : part.vertices) EXPECT_LE(std::abs(v.x()), 0.3 + 1e-12);
   }
   // A smaller exponent is nearer to a box.
-  EXPECT_GT(volume(cushion_part("c", 0, {0, 0, 0}, {1, 1, 1}, 0.3, 24)), volume(cushion_part("c", 0, {0, 0, 0}, {1, 1, 1}, 1.0, 24)));
+  EXPECT_GT(volume(cushion_part("c", 0, {0, 0, 0}, {1, 1, 1}, 0.3, 24)),
+            volume(cushion_part("c", 0, {0, 0, 0}, {1, 1, 1}, 1.0, 24)));
 }
 
 TEST(Mesh, PanelWithOpenings) {
@@ -105,7 +108,8 @@ TEST(Mesh, ClosedPanelIsWatertight) {
 }
 
 TEST(Mesh, TurnedBoxTurnsAboutItsCentre) {
-  const Part part = turned_box_part("b", 0, {1, 2, 3}, {0.2, 0.4, 0.6}, rotation_about(2, 0.5 * pi));
+  const Part part =
+      turned_box_part("b", 0, {1, 2, 3}, {0.2, 0.4, 0.6}, rotation_about(2, 0.5 * pi));
   const Face* front = find_face(part, "front");
   EXPECT_NEAR((part.T_instance_part * front->center - Eigen::Vector3d(1.2, 2, 3)).norm(), 0, 1e-12);
 }

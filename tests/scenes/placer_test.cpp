@@ -25,7 +25,8 @@ class PlacerTest : public ::testing::Test {
 TEST_F(PlacerTest, BacksGoToTheWall) {
   Placer placer(scene, room, options, random);
   for (const Side side : {Side::south, Side::east, Side::north, Side::west}) {
-    const auto index = placer.put_at_wall(placer.make("cabinet", "low", {{"width", 1.0}}), side, 0.5, 0.02);
+    const auto index =
+        placer.put_at_wall(placer.make("cabinet", "low", {{"width", 1.0}}), side, 0.5, 0.02);
     ASSERT_TRUE(index.has_value());
     const Instance& thing = scene.instances[*index];
     // Seen from the side: turned as the side is, its back 2 cm from the wall, which is y = 0 there.
@@ -33,7 +34,8 @@ TEST_F(PlacerTest, BacksGoToTheWall) {
     EXPECT_NEAR(T.linear()(1, 1), 1.0, 1e-12);
     double back = -1e9;
     for (const auto& part : thing.parts) {
-      for (const auto& v : part.vertices) back = std::max(back, (T * (part.T_instance_part * v)).y());
+      for (const auto& v : part.vertices)
+        back = std::max(back, (T * (part.T_instance_part * v)).y());
     }
     EXPECT_NEAR(back, -0.02, 1e-9);
   }
@@ -59,7 +61,8 @@ TEST_F(PlacerTest, KeptFreeZonesStayFree) {
 
 TEST_F(PlacerTest, SurfacesKnowWhatIsAboveThem) {
   Placer placer(scene, room, options, random);
-  const auto shelf = placer.put(placer.make("shelf", "with sides", {{"boards", 4}, {"spacing", 0.4}}), pose_at({2.5, 2, 0}));
+  const auto shelf = placer.put(
+      placer.make("shelf", "with sides", {{"boards", 4}, {"spacing", 0.4}}), pose_at({2.5, 2, 0}));
   ASSERT_TRUE(shelf.has_value());
   const auto surfaces = placer.surfaces(*shelf);
   ASSERT_EQ(surfaces.size(), 4U);
@@ -70,11 +73,19 @@ TEST_F(PlacerTest, SurfacesKnowWhatIsAboveThem) {
   }
   EXPECT_DOUBLE_EQ(surfaces[3].clearance, 2.0);
   // What goes on a board lies on it, 3 mm up, within its edges.
-  const auto box = placer.put_somewhere_on(surfaces[1], placer.make("box", "parcel", {{"width", 0.2}, {"depth", 0.15}, {"height", 0.1}}), 0.0, 0.1);
+  const auto box = placer.put_somewhere_on(
+      surfaces[1], placer.make("box", "parcel", {{"width", 0.2}, {"depth", 0.15}, {"height", 0.1}}),
+      0.0, 0.1);
   ASSERT_TRUE(box.has_value());
   EXPECT_NEAR(world_bounds(scene.instances[*box]).min().z(), surfaces[1].center.z() + 0.003, 1e-9);
   // What is too tall for the compartment is refused.
-  EXPECT_FALSE(placer.put_somewhere_on(surfaces[1], placer.make("box", "closed", {{"width", 0.2}, {"depth", 0.15}, {"height", 0.5}}), 0.0, 0.1).has_value());
+  EXPECT_FALSE(
+      placer
+          .put_somewhere_on(
+              surfaces[1],
+              placer.make("box", "closed", {{"width", 0.2}, {"depth", 0.15}, {"height", 0.5}}), 0.0,
+              0.1)
+          .has_value());
 }
 
 TEST_F(PlacerTest, ThingsOfOneKindDiffer) {

@@ -30,7 +30,8 @@ Scene boards(const std::vector<std::pair<Eigen::Vector3d, Eigen::Isometry3d>>& l
   return scene;
 }
 
-RelationMargin between(const Scene& scene, SpatialRelation relation, std::size_t a = 0, std::size_t b = 1, const Eigen::Vector3d& from = origin) {
+RelationMargin between(const Scene& scene, SpatialRelation relation, std::size_t a = 0,
+                       std::size_t b = 1, const Eigen::Vector3d& from = origin) {
   return relate(instance_body(scene, a), instance_body(scene, b), relation, from);
 }
 
@@ -46,13 +47,15 @@ TEST(Relations, NamesReadBack) {
 TEST(Relations, AnglesAreMeasuredInDegrees) {
   const Eigen::Vector3d size(1.0, 0.6, 0.02);
   for (const double deg : {0.0, 1.0, 4.0, 4.999, 5.001, 30.0, 85.5, 90.0}) {
-    const Scene scene = boards({{size, pose_at({0, 0, 0})}, {size, pose_at({0, 0, 1}, rotation_about(0, radians(deg)))}});
+    const Scene scene = boards(
+        {{size, pose_at({0, 0, 0})}, {size, pose_at({0, 0, 1}, rotation_about(0, radians(deg)))}});
     EXPECT_NEAR(between(scene, SpatialRelation::parallel).value, deg, 1e-6);
     EXPECT_EQ(between(scene, SpatialRelation::parallel).holds(), deg <= 5.0) << deg;
     EXPECT_NEAR(between(scene, SpatialRelation::orthogonal).value, 90 - deg, 1e-6);
     EXPECT_EQ(between(scene, SpatialRelation::orthogonal).holds(), deg >= 85.0) << deg;
   }
-  const Scene half = boards({{size, pose_at({0, 0, 0})}, {size, pose_at({0, 0, 1}, rotation_about(1, radians(2.5)))}});
+  const Scene half = boards(
+      {{size, pose_at({0, 0, 0})}, {size, pose_at({0, 0, 1}, rotation_about(1, radians(2.5)))}});
   EXPECT_NEAR(between(half, SpatialRelation::parallel).margin, 0.5, 1e-9);
 }
 
@@ -75,7 +78,8 @@ TEST(Relations, OnNeedsContactWithinTheGap) {
   const Eigen::Vector3d table(1.6, 0.8, 0.02);
   const Eigen::Vector3d box(0.3, 0.2, 0.2);
   for (const double gap : {-0.029, 0.0, 0.06, 0.149, 0.151, 0.5}) {
-    const Scene scene = boards({{box, pose_at({0, 0, 0.71 + 0.1 + gap})}, {table, pose_at({0, 0, 0.7})}});
+    const Scene scene =
+        boards({{box, pose_at({0, 0, 0.71 + 0.1 + gap})}, {table, pose_at({0, 0, 0.7})}});
     EXPECT_EQ(between(scene, SpatialRelation::on).holds(), gap <= 0.15) << gap;
     EXPECT_EQ(between(scene, SpatialRelation::supports, 1, 0).holds(), gap <= 0.15) << gap;
     EXPECT_NEAR(between(scene, SpatialRelation::on).value, gap, 1e-9);
@@ -84,7 +88,9 @@ TEST(Relations, OnNeedsContactWithinTheGap) {
 
 TEST(Relations, TheHighestCarrierWins) {
   // A box on a small table top 10 cm above a large one.
-  const Scene scene = boards({{{0.2, 0.2, 0.2}, pose_at({0, 0, 0.9})}, {{0.4, 0.4, 0.02}, pose_at({0, 0, 0.79})}, {{1.6, 0.8, 0.02}, pose_at({0, 0, 0.70})}});
+  const Scene scene = boards({{{0.2, 0.2, 0.2}, pose_at({0, 0, 0.9})},
+                              {{0.4, 0.4, 0.02}, pose_at({0, 0, 0.79})},
+                              {{1.6, 0.8, 0.02}, pose_at({0, 0, 0.70})}});
   EXPECT_TRUE(between(scene, SpatialRelation::on, 0, 2).holds()) << "as a pair";
   RelationQuery query;
   query.relations = {SpatialRelation::on};
@@ -95,9 +101,15 @@ TEST(Relations, TheHighestCarrierWins) {
 
 TEST(Relations, InsideAShelfAndNotTheOtherWay) {
   Scene scene;
-  Instance shelf = make_furniture(scene, {"shelf", "with sides", 1, {{"boards", 4}, {"width", 1.0}, {"depth", 0.4}, {"spacing", 0.4}}, 0.0});
+  Instance shelf =
+      make_furniture(scene, {"shelf",
+                             "with sides",
+                             1,
+                             {{"boards", 4}, {"width", 1.0}, {"depth", 0.4}, {"spacing", 0.4}},
+                             0.0});
   shelf.id = 1;
-  Instance box = make_furniture(scene, {"box", "closed", 1, {{"width", 0.3}, {"depth", 0.2}, {"height", 0.2}}, 0.0});
+  Instance box = make_furniture(
+      scene, {"box", "closed", 1, {{"width", 0.3}, {"depth", 0.2}, {"height", 0.2}}, 0.0});
   box.id = 2;
   box.T_world_instance = pose_at({0, 0, 0.5});
   scene.instances = {box, shelf};
@@ -126,7 +138,10 @@ TEST(Relations, NearMeasuresTheGap) {
 }
 
 TEST(Relations, SameSizeComparesLengthAndArea) {
-  const auto of = [](double length, double width) { return boards({{{1.0, 0.5, 0.02}, pose_at({0, 0, 0})}, {{length, width, 0.02}, pose_at({0, 0, 1})}}); };
+  const auto of = [](double length, double width) {
+    return boards(
+        {{{1.0, 0.5, 0.02}, pose_at({0, 0, 0})}, {{length, width, 0.02}, pose_at({0, 0, 1})}});
+  };
   EXPECT_NEAR(between(of(1.0, 0.5), SpatialRelation::same_size).margin, 1.0, 1e-9);
   EXPECT_TRUE(between(of(1.14, 0.5), SpatialRelation::same_size).holds());
   EXPECT_FALSE(between(of(1.16, 0.5), SpatialRelation::same_size).holds());
@@ -135,54 +150,78 @@ TEST(Relations, SameSizeComparesLengthAndArea) {
 
 TEST(Relations, AlignedBoardsHaveOneVerticalAxis) {
   const Eigen::Vector3d size(1.0, 0.4, 0.02);
-  EXPECT_TRUE(between(boards({{size, pose_at({0, 0, 0})}, {size, pose_at({0.14, 0, 1})}}), SpatialRelation::vertically_aligned).holds());
-  EXPECT_FALSE(between(boards({{size, pose_at({0, 0, 0})}, {size, pose_at({0.16, 0, 1})}}), SpatialRelation::vertically_aligned).holds());
-  EXPECT_FALSE(between(boards({{size, pose_at({0, 0, 0})}, {size, pose_at({0, 0, 1}, 0.5 * pi)}}), SpatialRelation::vertically_aligned).holds());
+  EXPECT_TRUE(between(boards({{size, pose_at({0, 0, 0})}, {size, pose_at({0.14, 0, 1})}}),
+                      SpatialRelation::vertically_aligned)
+                  .holds());
+  EXPECT_FALSE(between(boards({{size, pose_at({0, 0, 0})}, {size, pose_at({0.16, 0, 1})}}),
+                       SpatialRelation::vertically_aligned)
+                   .holds());
+  EXPECT_FALSE(between(boards({{size, pose_at({0, 0, 0})}, {size, pose_at({0, 0, 1}, 0.5 * pi)}}),
+                       SpatialRelation::vertically_aligned)
+                   .holds());
 }
 
 TEST(Relations, CoplanarNeedsAngleAndOffset) {
   const Eigen::Vector3d size(1.0, 0.02, 0.8);
-  EXPECT_TRUE(between(boards({{size, pose_at({0, 0, 0})}, {size, pose_at({2, 0.029, 0})}}), SpatialRelation::coplanar).holds());
-  EXPECT_FALSE(between(boards({{size, pose_at({0, 0, 0})}, {size, pose_at({2, 0.031, 0})}}), SpatialRelation::coplanar).holds());
-  EXPECT_FALSE(between(boards({{size, pose_at({0, 0, 0})}, {size, pose_at({0.01, 0, 0}, 0.2)}}), SpatialRelation::coplanar).holds());
+  EXPECT_TRUE(between(boards({{size, pose_at({0, 0, 0})}, {size, pose_at({2, 0.029, 0})}}),
+                      SpatialRelation::coplanar)
+                  .holds());
+  EXPECT_FALSE(between(boards({{size, pose_at({0, 0, 0})}, {size, pose_at({2, 0.031, 0})}}),
+                       SpatialRelation::coplanar)
+                   .holds());
+  EXPECT_FALSE(between(boards({{size, pose_at({0, 0, 0})}, {size, pose_at({0.01, 0, 0}, 0.2)}}),
+                       SpatialRelation::coplanar)
+                   .holds());
 }
 
 TEST(Relations, SidesAreSeenFromTheViewpoint) {
   // The viewer at the origin looks along +x at the target.
   const Eigen::Vector3d size(0.2, 0.2, 0.2);
-  const auto at = [&](double x, double y) { return boards({{size, pose_at({x, y, 0})}, {size, pose_at({3, 0, 0})}}); };
+  const auto at = [&](double x, double y) {
+    return boards({{size, pose_at({x, y, 0})}, {size, pose_at({3, 0, 0})}});
+  };
   EXPECT_NEAR(between(at(3, 1), SpatialRelation::left_of).margin, 1.0, 1e-9);
   EXPECT_NEAR(between(at(3, -1), SpatialRelation::right_of).margin, 1.0, 1e-9);
   EXPECT_NEAR(between(at(2, 0), SpatialRelation::in_front_of).margin, 1.0, 1e-9);
   EXPECT_NEAR(between(at(4, 0), SpatialRelation::behind).margin, 1.0, 1e-9);
   EXPECT_FALSE(between(at(3, 1), SpatialRelation::right_of).holds());
-  EXPECT_NEAR(between(at(4, 1), SpatialRelation::left_of).margin, 0.0, 1e-9) << "on the border of two cones";
+  EXPECT_NEAR(between(at(4, 1), SpatialRelation::left_of).margin, 0.0, 1e-9)
+      << "on the border of two cones";
 }
 
-// Over whole scenes: symmetric, antisymmetric and inverse relations are what they are called; above and on are acyclic.
+// Over whole scenes: symmetric, antisymmetric and inverse relations are what they are called; above
+// and on are acyclic.
 TEST(Relations, KeepTheirLawsInRooms) {
-  for (const auto& family : {std::string("office"), std::string("laboratory"), std::string("living room")}) {
+  for (const auto& family :
+       {std::string("office"), std::string("laboratory"), std::string("living room")}) {
     for (std::uint64_t seed = 0; seed < 3; ++seed) {
       RoomOptions options;
       options.family = family;
       const Scene scene = generate_room(options, seed);
       std::vector<RelationBody> bodies;
-      for (std::size_t i = 0; i < scene.instances.size() && i < 40; ++i) bodies.push_back(instance_body(scene, i));
+      for (std::size_t i = 0; i < scene.instances.size() && i < 40; ++i)
+        bodies.push_back(instance_body(scene, i));
       const Eigen::Vector3d from = scene.sensor_poses[0].translation();
-      const auto holds = [&](std::size_t i, std::size_t j, SpatialRelation r) { return relate(bodies[i], bodies[j], r, from).holds(); };
+      const auto holds = [&](std::size_t i, std::size_t j, SpatialRelation r) {
+        return relate(bodies[i], bodies[j], r, from).holds();
+      };
       for (std::size_t i = 0; i < bodies.size(); ++i) {
         for (std::size_t j = 0; j < bodies.size(); ++j) {
           if (i == j) continue;
           for (std::size_t k = 0; k < relation_count; ++k) {
             const auto r = static_cast<SpatialRelation>(k);
             if (inverse(r) == r && !is_symmetric(r)) continue;
-            if (r == SpatialRelation::near && (i + j) % 5 != 0) continue;  // costly: a sample of the pairs
-            EXPECT_NEAR(relate(bodies[i], bodies[j], r, from).margin, relate(bodies[j], bodies[i], inverse(r), from).margin, 1e-6);
+            if (r == SpatialRelation::near && (i + j) % 5 != 0)
+              continue;  // costly: a sample of the pairs
+            EXPECT_NEAR(relate(bodies[i], bodies[j], r, from).margin,
+                        relate(bodies[j], bodies[i], inverse(r), from).margin, 1e-6);
           }
           EXPECT_FALSE(holds(i, j, SpatialRelation::above) && holds(j, i, SpatialRelation::above));
           EXPECT_FALSE(holds(i, j, SpatialRelation::on) && holds(j, i, SpatialRelation::on));
-          EXPECT_FALSE(holds(i, j, SpatialRelation::inside) && holds(j, i, SpatialRelation::inside));
-          EXPECT_FALSE(holds(i, j, SpatialRelation::left_of) && holds(i, j, SpatialRelation::right_of));
+          EXPECT_FALSE(holds(i, j, SpatialRelation::inside) &&
+                       holds(j, i, SpatialRelation::inside));
+          EXPECT_FALSE(holds(i, j, SpatialRelation::left_of) &&
+                       holds(i, j, SpatialRelation::right_of));
           if (holds(i, j, SpatialRelation::above)) {
             EXPECT_GT(bodies[i].center.z(), bodies[j].center.z());
           }
@@ -196,7 +235,8 @@ TEST(Relations, KeepTheirLawsInRooms) {
             if (!bodies[i].has_face || !bodies[j].has_face || !bodies[k].has_face) continue;
             const double ij = relate(bodies[i], bodies[j], SpatialRelation::parallel, from).value;
             const double jk = relate(bodies[j], bodies[k], SpatialRelation::parallel, from).value;
-            EXPECT_LE(relate(bodies[i], bodies[k], SpatialRelation::parallel, from).value, ij + jk + 1e-5);
+            EXPECT_LE(relate(bodies[i], bodies[k], SpatialRelation::parallel, from).value,
+                      ij + jk + 1e-5);
           }
         }
       }
@@ -215,7 +255,9 @@ TEST(Relations, InOfficesMonitorsAreOnDesks) {
       if (scene.instances[i].kind != "monitor") continue;
       ++monitors;
       bool on_desk = false;
-      for (const auto& f : facts) on_desk = on_desk || (f.a == static_cast<std::int32_t>(i) && scene.instances[static_cast<std::size_t>(f.b)].kind == "desk");
+      for (const auto& f : facts)
+        on_desk = on_desk || (f.a == static_cast<std::int32_t>(i) &&
+                              scene.instances[static_cast<std::size_t>(f.b)].kind == "desk");
       EXPECT_TRUE(on_desk) << scene.name;
     }
   }
@@ -240,7 +282,10 @@ TEST(Relations, TurningTheWholeSceneChangesNothing) {
   int missing = 0;
   for (const auto& f : first) {
     const auto r = static_cast<SpatialRelation>(std::get<2>(f));
-    if (r == SpatialRelation::parallel || r == SpatialRelation::orthogonal || r == SpatialRelation::near || r == SpatialRelation::same_size || r == SpatialRelation::coplanar || r == SpatialRelation::on) missing += second.count(f) == 0 ? 1 : 0;
+    if (r == SpatialRelation::parallel || r == SpatialRelation::orthogonal ||
+        r == SpatialRelation::near || r == SpatialRelation::same_size ||
+        r == SpatialRelation::coplanar || r == SpatialRelation::on)
+      missing += second.count(f) == 0 ? 1 : 0;
   }
   EXPECT_EQ(missing, 0);
   EXPECT_GT(first.size(), 100U);
@@ -253,7 +298,9 @@ TEST(Relations, CoplanarFacesOfOneThingAreOnePlane) {
   const auto faces = all_faces(scene);
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const Part& part = scene.instances[0].parts[static_cast<std::size_t>(faces[f].part)];
-    if (part.name.rfind("deck", 0) == 0 && part.faces[static_cast<std::size_t>(faces[f].face)].name == "top") tops.insert(groups[f]);
+    if (part.name.rfind("deck", 0) == 0 &&
+        part.faces[static_cast<std::size_t>(faces[f].face)].name == "top")
+      tops.insert(groups[f]);
   }
   EXPECT_EQ(tops.size(), 1U);
 }

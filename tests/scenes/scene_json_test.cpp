@@ -42,7 +42,8 @@ TEST(SceneJson, ReadsBackToTheSameBits) {
         EXPECT_EQ(a.parts[p].vertices, b.parts[p].vertices) << a.kind << " " << a.parts[p].name;
         EXPECT_EQ(a.parts[p].triangle_face, b.parts[p].triangle_face);
         for (std::size_t f = 0; f < a.parts[p].faces.size(); ++f) {
-          EXPECT_EQ(a.parts[p].faces[f].center, b.parts[p].faces[f].center) << a.kind << " " << a.parts[p].name;
+          EXPECT_EQ(a.parts[p].faces[f].center, b.parts[p].faces[f].center)
+              << a.kind << " " << a.parts[p].name;
           EXPECT_EQ(a.parts[p].faces[f].area, b.parts[p].faces[f].area);
         }
       }
@@ -58,7 +59,9 @@ TEST(SceneJson, WrittenFilesAreShortAndReadBack) {
   EXPECT_EQ(scene_to_json(read_scene(path)).dump(), scene_to_json(scene).dump());
   std::size_t longest = 0;
   std::size_t start = 0;
-  for (std::size_t end = text.find('\n'); end != std::string::npos; start = end + 1, end = text.find('\n', start)) longest = std::max(longest, end - start);
+  for (std::size_t end = text.find('\n'); end != std::string::npos;
+       start = end + 1, end = text.find('\n', start))
+    longest = std::max(longest, end - start);
   EXPECT_LT(longest, 400U) << "lines that a person can look at";
   std::filesystem::remove(path);
 }
@@ -87,7 +90,8 @@ TEST(SceneJson, ShortFormByHand) {
 }
 
 TEST(SceneJson, TheReferenceRoomIsSound) {
-  const Scene scene = read_scene(std::filesystem::path(SCANCHOR_SOURCE_DIR) / "scenes/examples/reference_room.json");
+  const Scene scene = read_scene(std::filesystem::path(SCANCHOR_SOURCE_DIR) /
+                                 "scenes/examples/reference_room.json");
   testing::expect_no_close_faces(scene, "reference room");
   for (const auto& line : interpenetrations(scene, 0.0)) ADD_FAILURE() << line;
   int boxes = 0;
@@ -111,28 +115,45 @@ TEST(SceneJson, EachMistakeGivesOneClearLine) {
     const char* place;
     const char* cause;
   } table[] = {
-      {R"({"instances": [{"class": "desl", "parts": [{"box": {"size": [1,1,1]}}]}]})", "instances[0].class", "did you mean 'desk'"},
-      {R"({"instances": [{"class": "box", "parts": [{"box": {"size": [1,-1,1]}}]}]})", "parts[0].box.size", "above 0"},
-      {R"({"instances": [{"class": "box", "parts": [{"box": {"size": [1,0,1]}}]}]})", "parts[0].box.size", "above 0"},
-      {R"({"instances": [{"class": "box", "parts": [{"box": {"size": [1,null,1]}}]}]})", "size[1]", "must be a number"},
-      {R"({"instances": [{"class": "box", "pose": {"position": [1e9,0,0]}, "parts": [{"box": {"size": [1,1,1]}}]}]})", "pose.position", "10 km"},
-      {R"({"instances": [{"class": "table", "mesh": "no/such.obj"}]})", "instances[0].mesh", "no mesh file"},
+      {R"({"instances": [{"class": "desl", "parts": [{"box": {"size": [1,1,1]}}]}]})",
+       "instances[0].class", "did you mean 'desk'"},
+      {R"({"instances": [{"class": "box", "parts": [{"box": {"size": [1,-1,1]}}]}]})",
+       "parts[0].box.size", "above 0"},
+      {R"({"instances": [{"class": "box", "parts": [{"box": {"size": [1,0,1]}}]}]})",
+       "parts[0].box.size", "above 0"},
+      {R"({"instances": [{"class": "box", "parts": [{"box": {"size": [1,null,1]}}]}]})", "size[1]",
+       "must be a number"},
+      {R"({"instances": [{"class": "box", "pose": {"position": [1e9,0,0]}, "parts": [{"box": {"size": [1,1,1]}}]}]})",
+       "pose.position", "10 km"},
+      {R"({"instances": [{"class": "table", "mesh": "no/such.obj"}]})", "instances[0].mesh",
+       "no mesh file"},
       {R"({"instances": [{"id": 3, "class": "box", "parts": [{"box": {"size": [1,1,1]}}]}, {"id": 3, "class": "box", "parts": [{"box": {"size": [1,1,1]}}]}]})",
        "instances[1].id", "used twice"},
-      {R"({"instances": [{"id": 0, "class": "box", "parts": [{"box": {"size": [1,1,1]}}]}]})", "instances[0].id", "1 .. 65535"},
-      {R"({"instances": [{"class": "desk", "kind": "desk", "variant": "four lges"}]})", "instances[0]", "did you mean 'four legs'"},
-      {R"({"instances": [{"class": "desk", "kind": "desk", "variant": "three legs"}]})", "instances[0]", "known are: four legs"},
-      {R"({"instances": [{"kind": "desk", "parameters": {"widht": 2}}]})", "instances[0]", "did you mean 'width'"},
+      {R"({"instances": [{"id": 0, "class": "box", "parts": [{"box": {"size": [1,1,1]}}]}]})",
+       "instances[0].id", "1 .. 65535"},
+      {R"({"instances": [{"class": "desk", "kind": "desk", "variant": "four lges"}]})",
+       "instances[0]", "did you mean 'four legs'"},
+      {R"({"instances": [{"class": "desk", "kind": "desk", "variant": "three legs"}]})",
+       "instances[0]", "known are: four legs"},
+      {R"({"instances": [{"kind": "desk", "parameters": {"widht": 2}}]})", "instances[0]",
+       "did you mean 'width'"},
       {R"({"instances": [{"kind": "dask"}]})", "instances[0]", "did you mean 'desk'"},
-      {R"({"instances": [{"class": "box", "parts": [{"material": "cardbord", "box": {"size": [1,1,1]}}]}]})", "material", "did you mean 'cardboard'"},
+      {R"({"instances": [{"class": "box", "parts": [{"material": "cardbord", "box": {"size": [1,1,1]}}]}]})",
+       "material", "did you mean 'cardboard'"},
       {R"({"instances": [{"class": "box"}]})", "instances[0]", "has no shape"},
-      {R"({"instances": [{"class": "box", "parts": [{"name": "x"}]}]})", "parts[0]", "has no shape"},
-      {R"({"instances": [{"class": "box", "parts": [{"vertices": [[0,0,0]], "triangles": [[0,0,7]]}]}]})", "triangles[0][2]", "no index"},
-      {R"({"instances": [{"class": "box", "mas": 3, "parts": [{"box": {"size": [1,1,1]}}]}]})", "instances[0]", "did you mean 'mass'"},
-      {R"({"instances": [{"class": "box", "mass": 0, "parts": [{"box": {"size": [1,1,1]}}]}]})", "mass", "above 0"},
-      {R"({"instances": [{"class": "box", "pose": {"rotation": [[1,0,0],[0,1,0],[0,0,2]]}, "parts": [{"box": {"size": [1,1,1]}}]}]})", "rotation", "no rotation"},
+      {R"({"instances": [{"class": "box", "parts": [{"name": "x"}]}]})", "parts[0]",
+       "has no shape"},
+      {R"({"instances": [{"class": "box", "parts": [{"vertices": [[0,0,0]], "triangles": [[0,0,7]]}]}]})",
+       "triangles[0][2]", "no index"},
+      {R"({"instances": [{"class": "box", "mas": 3, "parts": [{"box": {"size": [1,1,1]}}]}]})",
+       "instances[0]", "did you mean 'mass'"},
+      {R"({"instances": [{"class": "box", "mass": 0, "parts": [{"box": {"size": [1,1,1]}}]}]})",
+       "mass", "above 0"},
+      {R"({"instances": [{"class": "box", "pose": {"rotation": [[1,0,0],[0,1,0],[0,0,2]]}, "parts": [{"box": {"size": [1,1,1]}}]}]})",
+       "rotation", "no rotation"},
       {R"({"format": "something else", "instances": []})", "format", "scanchor scene 1"},
-      {R"({"materials": [{"name": "x", "reflectance": 2}], "instances": []})", "reflectance", "0 .. 1"},
+      {R"({"materials": [{"name": "x", "reflectance": 2}], "instances": []})", "reflectance",
+       "0 .. 1"},
       {R"({})", "room.json", "'instances' is missing"},
       {R"([])", "room.json", "object"},
   };

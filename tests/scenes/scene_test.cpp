@@ -33,7 +33,8 @@ TEST(Scene, BoxFacesEqualTheirTriangles) {
   Part again = box;
   measure_faces(again);
   for (std::size_t f = 0; f < box.faces.size(); ++f) {
-    EXPECT_NEAR((again.faces[f].center - box.faces[f].center).norm(), 0, 1e-12) << box.faces[f].name;
+    EXPECT_NEAR((again.faces[f].center - box.faces[f].center).norm(), 0, 1e-12)
+        << box.faces[f].name;
     EXPECT_NEAR((again.faces[f].normal - box.faces[f].normal).norm(), 0, 1e-12);
     EXPECT_NEAR(std::abs(again.faces[f].axis.dot(box.faces[f].axis)), 1, 1e-12);
     EXPECT_NEAR((again.faces[f].size - box.faces[f].size).norm(), 0, 1e-12);
@@ -44,7 +45,8 @@ TEST(Scene, BoxFacesEqualTheirTriangles) {
 TEST(Scene, FacesAreNumberedByInstancePartFace) {
   Scene scene;
   scene.instances.resize(2);
-  scene.instances[0].parts = {box_part("a", 0, {0, 0, 0}, {1, 1, 1}), box_part("b", 0, {2, 0, 0}, {1, 1, 1})};
+  scene.instances[0].parts = {box_part("a", 0, {0, 0, 0}, {1, 1, 1}),
+                              box_part("b", 0, {2, 0, 0}, {1, 1, 1})};
   scene.instances[1].parts = {box_part("c", 0, {0, 0, 0}, {1, 1, 1})};
   const auto faces = all_faces(scene);
   ASSERT_EQ(faces.size(), 18U);
@@ -67,8 +69,10 @@ TEST(Scene, FacesMoveWithInstanceAndPart) {
   EXPECT_NEAR((top.axis - Eigen::Vector3d::UnitY()).norm(), 0, 1e-12);
   const WorldFace right = world_face(scene, {0, 0, 5});
   EXPECT_NEAR((right.normal - Eigen::Vector3d::UnitY()).norm(), 0, 1e-12);
-  EXPECT_NEAR((world_bounds(scene.instances[0]).max() - Eigen::Vector3d(10.5, 2, 5.05)).norm(), 0, 1e-12);
-  EXPECT_NEAR((local_bounds(scene.instances[0]).max() - Eigen::Vector3d(2, 0.5, 0.05)).norm(), 0, 1e-12);
+  EXPECT_NEAR((world_bounds(scene.instances[0]).max() - Eigen::Vector3d(10.5, 2, 5.05)).norm(), 0,
+              1e-12);
+  EXPECT_NEAR((local_bounds(scene.instances[0]).max() - Eigen::Vector3d(2, 0.5, 0.05)).norm(), 0,
+              1e-12);
 }
 
 }  // namespace

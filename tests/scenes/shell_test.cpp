@@ -50,7 +50,8 @@ TEST(Shell, OpeningsAreTakenOffTheWallAndDoorsGetThresholds) {
   const WorldFace east = world_face(scene, {3, 0, 0});
   EXPECT_NEAR(east.area, 4.0 * 2.6 - 0.9 * 2.0 - 1.2, 1e-9);
   EXPECT_NEAR(east.size.prod(), 4.0 * 2.6, 1e-9);
-  ASSERT_EQ(scene.instances[0].parts.size(), 2U) << "the opening without depth belongs to somebody else";
+  ASSERT_EQ(scene.instances[0].parts.size(), 2U)
+      << "the opening without depth belongs to somebody else";
   EXPECT_EQ(scene.instances[4].parts[0].faces.size(), 1U);
   testing::expect_no_close_faces(scene, "shell with openings");
 }

@@ -16,7 +16,8 @@ TEST(Truth, SmallestRectangleOfATurnedRectangle) {
     const SinCos sc = portable_sincos(angle);
     std::vector<Eigen::Vector2d> points;
     for (const double u : {-0.8, 0.8}) {
-      for (const double v : {-0.35, 0.35}) points.emplace_back(2 + u * sc.cos - v * sc.sin, 1 + u * sc.sin + v * sc.cos);
+      for (const double v : {-0.35, 0.35})
+        points.emplace_back(2 + u * sc.cos - v * sc.sin, 1 + u * sc.sin + v * sc.cos);
     }
     const PlaneRectangle r = smallest_rectangle(points);
     EXPECT_NEAR(r.size.x(), 1.6, 1e-12);
@@ -31,7 +32,8 @@ TEST(Truth, NoDirectionGivesASmallerRectangle) {
   SequentialRandom random(7);
   for (int trial = 0; trial < 20; ++trial) {
     std::vector<Eigen::Vector2d> points;
-    for (int i = 0; i < 12; ++i) points.emplace_back(random.uniform(-1, 1), 0.4 * random.uniform(-1, 1));
+    for (int i = 0; i < 12; ++i)
+      points.emplace_back(random.uniform(-1, 1), 0.4 * random.uniform(-1, 1));
     const PlaneRectangle r = smallest_rectangle(points);
     double best = 1e9;
     for (int k = 0; k < 4500; ++k) {
@@ -39,7 +41,8 @@ TEST(Truth, NoDirectionGivesASmallerRectangle) {
       double lo[2] = {1e9, 1e9};
       double hi[2] = {-1e9, -1e9};
       for (const auto& p : points) {
-        const double c[2] = {std::cos(a) * p.x() + std::sin(a) * p.y(), -std::sin(a) * p.x() + std::cos(a) * p.y()};
+        const double c[2] = {std::cos(a) * p.x() + std::sin(a) * p.y(),
+                             -std::sin(a) * p.x() + std::cos(a) * p.y()};
         for (int j = 0; j < 2; ++j) {
           lo[j] = std::min(lo[j], c[j]);
           hi[j] = std::max(hi[j], c[j]);
@@ -58,7 +61,8 @@ TEST(Truth, HullLeavesOutWhatLiesInsideOrOnEdges) {
 }
 
 TEST(Truth, AreaOfAnLShapeIsLessThanItsRectangle) {
-  const Part part = prism_part("top", 0, {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 3}, {0, 3}}, 0.7, 0.75);
+  const Part part =
+      prism_part("top", 0, {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 3}, {0, 3}}, 0.7, 0.75);
   const Face& top = part.faces[0];
   EXPECT_NEAR(top.area, 4.0, 1e-12);
   // The rectangle along the diagonal of the L is no smaller than 2 x 3.
@@ -98,7 +102,8 @@ TEST(Truth, FindsFacesAcrossRepeatedVertices) {
 
 TEST(Truth, ConvexityOfPrisms) {
   EXPECT_TRUE(is_convex(prism_part("p", 0, {{0, 0}, {1, 0}, {0, 1}}, 0, 1)));
-  EXPECT_FALSE(is_convex(prism_part("p", 0, {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 3}, {0, 3}}, 0, 1)));
+  EXPECT_FALSE(
+      is_convex(prism_part("p", 0, {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 3}, {0, 3}}, 0, 1)));
 }
 
 }  // namespace

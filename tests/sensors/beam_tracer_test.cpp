@@ -115,7 +115,8 @@ TEST(BeamTracer, ComputedAndTracedSubraysGiveTheSameBits) {
 Scene mirror_room(Material special) {
   Scene scene = testing::empty_scene();
   scene.materials.push_back(std::move(special));
-  // The special plate 2 m ahead, turned by 45 degrees; a wall to the left at y = 3, another straight behind it at x = 5.
+  // The special plate 2 m ahead, turned by 45 degrees; a wall to the left at y = 3, another
+  // straight behind it at x = 5.
   Eigen::Isometry3d pose = at(2, 0, 0);
   pose.linear() = Eigen::AngleAxisd(radians(-45.0), Eigen::Vector3d::UnitZ()).toRotationMatrix();
   Instance plate = box_instance(1, {0.002, 1, 1}, pose);
@@ -129,7 +130,8 @@ Scene mirror_room(Material special) {
 TEST(BeamTracer, MirrorMakesAGhostAtTheFoldedRange) {
   const World world(mirror_room({"mirror", 0.0, 0.95, 0.0, {}}));
   const LineReturns r = trace(world, LidarOptions(), beams_at(0.0, 1));
-  // The near side of the plate is 1 mm of glass before its middle: 2 - 0.001 sqrt(2) along the beam.
+  // The near side of the plate is 1 mm of glass before its middle: 2 - 0.001 sqrt(2) along the
+  // beam.
   const double to_mirror = 2.0 - 0.001 * std::sqrt(2.0);
   EXPECT_NEAR(r.range[0], to_mirror + 3.0, 1e-6);
   EXPECT_EQ(r.flags[0], point_ghost);

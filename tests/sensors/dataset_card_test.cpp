@@ -45,7 +45,8 @@ TEST(DatasetCard, SequenceCardsReadBack) {
 }
 
 TEST(DatasetCard, LabelMapIsWhatSemanticKittiApiReads) {
-  const YAML::Node map = YAML::Load(label_map_yaml({card("08", "train"), card("09", "train"), card("100", "test")}, "a \"b\""));
+  const YAML::Node map = YAML::Load(
+      label_map_yaml({card("08", "train"), card("09", "train"), card("100", "test")}, "a \"b\""));
   for (const auto& info : class_list()) {
     EXPECT_EQ(map["labels"][info.id].as<std::string>(), std::string(info.name));
     EXPECT_EQ(map["color_map"][info.id][0].as<int>(), info.color[2]) << "blue first";
@@ -74,7 +75,8 @@ TEST(DatasetCard, TheCardOfTheWholeAddsUp) {
   EXPECT_EQ(json["flagged_points"]["ghost"], 4);
   EXPECT_EQ(json["scenes_not_at_rest"].dump(), R"(["01"])");
   EXPECT_EQ(json["suite"]["seed"], 77);
-  EXPECT_EQ(json["files"]["label_map.yaml"]["sha256"], sha256(read_file(folder / "label_map.yaml")));
+  EXPECT_EQ(json["files"]["label_map.yaml"]["sha256"],
+            sha256(read_file(folder / "label_map.yaml")));
   EXPECT_TRUE(json["suite"]["lidar"].contains("range_sigma"));
 }
 
@@ -88,7 +90,8 @@ TEST(DatasetCard, RelationsNameInstancesByTheirIds) {
     instance.class_id = *find_class(k == 0 ? "desk" : "box");
     // A box of 0.4 m stands on a slab whose top is at 0.72 m.
     const double size = k == 0 ? 1.6 : 0.4;
-    instance.parts.push_back(box_part("body", 0, Eigen::Vector3d(0, 0, k == 0 ? 0.7 : 0.92), Eigen::Vector3d(size, size, k == 0 ? 0.04 : 0.4)));
+    instance.parts.push_back(box_part("body", 0, Eigen::Vector3d(0, 0, k == 0 ? 0.7 : 0.92),
+                                      Eigen::Vector3d(size, size, k == 0 ? 0.04 : 0.4)));
     scene.instances.push_back(instance);
   }
   write_file(folder / "r.json", relations_json(scene));
@@ -109,9 +112,11 @@ TEST(DatasetCard, FacesCarryTheirTruthAndWhatWasSeen) {
   instance.id = 5;
   instance.class_id = *find_class("desk");
   instance.T_world_instance.translation() = Eigen::Vector3d(1, 2, 0);
-  instance.parts.push_back(box_part("top", 0, Eigen::Vector3d(0, 0, 0.7), Eigen::Vector3d(1.6, 0.8, 0.04)));
+  instance.parts.push_back(
+      box_part("top", 0, Eigen::Vector3d(0, 0, 0.7), Eigen::Vector3d(1.6, 0.8, 0.04)));
   scene.instances.push_back(instance);
-  const std::vector<std::vector<FaceVisibility>> seen = {{{0, 40, 0.5}, {3, 7, 0.125}}, {{3, 9, 1.0}}};
+  const std::vector<std::vector<FaceVisibility>> seen = {{{0, 40, 0.5}, {3, 7, 0.125}},
+                                                         {{3, 9, 1.0}}};
   write_file(folder / "faces.json", faces_json(scene, seen));
   const Json faces = read_json(folder / "faces.json")["faces"];
   ASSERT_EQ(faces.size(), 6U);

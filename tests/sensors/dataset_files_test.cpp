@@ -36,12 +36,16 @@ TEST(DatasetFiles, LabelsAreSemanticKittis) {
 TEST(DatasetFiles, TruthIsANumpyArray) {
   const std::string bytes = truth_npy(small_scan());
   EXPECT_TRUE(bytes.starts_with(std::string("\x93NUMPY\x01\0", 8)));
-  const std::size_t header = 10 + static_cast<unsigned char>(bytes[8]) + 256U * static_cast<unsigned char>(bytes[9]);
+  const std::size_t header =
+      10 + static_cast<unsigned char>(bytes[8]) + 256U * static_cast<unsigned char>(bytes[9]);
   EXPECT_EQ(header % 64, 0U);
   EXPECT_EQ(bytes[header - 1], '\n');
   EXPECT_EQ(bytes.size(), header + 2 * 23);
   const std::string record = bytes.substr(header, 23);
-  EXPECT_EQ(record, std::string("\x70\x11\x01\0\x02\0\xff\xff\xff\xff\0\x07\0\xe8\xfd\0\0\xc0\x3f\0\0\x80\x3e", 23));
+  EXPECT_EQ(
+      record,
+      std::string("\x70\x11\x01\0\x02\0\xff\xff\xff\xff\0\x07\0\xe8\xfd\0\0\xc0\x3f\0\0\x80\x3e",
+                  23));
 }
 
 TEST(DatasetFiles, TruthReadsBack) {
@@ -65,8 +69,8 @@ TEST(DatasetFiles, TruthReadsBack) {
 }
 
 TEST(DatasetFiles, PosesAreInTheCameraFrame) {
-  // The sensor 2 m above the origin, turned by 90 degrees to the left: in the camera's frame (x right, y down, z forward) that is
-  // 2 m up (-y) and a turn about -y.
+  // The sensor 2 m above the origin, turned by 90 degrees to the left: in the camera's frame (x
+  // right, y down, z forward) that is 2 m up (-y) and a turn about -y.
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   T.translation() = Eigen::Vector3d(0.5, 0.25, 2.0);
   T.linear() << 0, -1, 0, 1, 0, 0, 0, 0, 1;
@@ -78,17 +82,21 @@ TEST(DatasetFiles, PosesReadBackToTheSameBits) {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   T.rotate(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, -2, 3).normalized()));
   T.translation() = Eigen::Vector3d(0.1, -1.0 / 3.0, 1.7);
-  const auto back = parse_poses(poses_text({T, Eigen::Isometry3d::Identity()}), calib_text(), "p", "c");
+  const auto back =
+      parse_poses(poses_text({T, Eigen::Isometry3d::Identity()}), calib_text(), "p", "c");
   ASSERT_EQ(back.size(), 2U);
   EXPECT_EQ(back[0].matrix(), T.matrix());
   EXPECT_EQ(parse_poses(poses_text({T}), "", "p", "c")[0].matrix(), T.matrix());
 }
 
 TEST(DatasetFiles, PosesOfARealDrive) {
-  // Shape of KITTI's own files: exponents, a Tr that is a real calibration. velodyne pose = Tr^-1 pose Tr (point_labeler wiki).
-  const std::string calib = "P0: 1 0 0 0 0 1 0 0 0 0 1 0\nTr: 4.276802385584e-04 -9.999672484946e-01 -8.084491683471e-03 -1.198459927713e-02 "
-                            "-7.210626507497e-03 8.081198471645e-03 -9.999413164504e-01 -5.403984729748e-02 "
-                            "9.999738645903e-01 4.859485810390e-04 -7.206933692422e-03 -2.921968648686e-01\n";
+  // Shape of KITTI's own files: exponents, a Tr that is a real calibration. velodyne pose = Tr^-1
+  // pose Tr (point_labeler wiki).
+  const std::string calib =
+      "P0: 1 0 0 0 0 1 0 0 0 0 1 0\nTr: 4.276802385584e-04 -9.999672484946e-01 -8.084491683471e-03 "
+      "-1.198459927713e-02 "
+      "-7.210626507497e-03 8.081198471645e-03 -9.999413164504e-01 -5.403984729748e-02 "
+      "9.999738645903e-01 4.859485810390e-04 -7.206933692422e-03 -2.921968648686e-01\n";
   const std::string poses = "1.000000e+00 0 0 0 0 1.0 0 0 0 0 1 0\r\n1 0 0 0 0 1 0 0 0 0 1 1.5\r\n";
   const auto back = parse_poses(poses, calib, "p", "c");
   ASSERT_EQ(back.size(), 2U);
@@ -131,7 +139,9 @@ TEST(DatasetFiles, S3disHasOneFileAnInstance) {
   const auto files = s3dis_files(scene, {scan, scan}, "office_7");
   ASSERT_EQ(files.size(), 3U);
   EXPECT_EQ(files[0].first, "office_7/office_7.txt");
-  EXPECT_EQ(files[0].second, "1.000 2.000 4.000 10 20 30\n4.000 5.000 7.000 0 0 0\n1.000 2.000 4.000 10 20 30\n4.000 5.000 7.000 0 0 0\n");
+  EXPECT_EQ(files[0].second,
+            "1.000 2.000 4.000 10 20 30\n4.000 5.000 7.000 0 0 0\n1.000 2.000 4.000 10 20 "
+            "30\n4.000 5.000 7.000 0 0 0\n");
   EXPECT_EQ(files[1].first, "office_7/Annotations/clutter_0.txt");
   EXPECT_EQ(files[2].first, "office_7/Annotations/table_1.txt");
   EXPECT_EQ(files[2].second, "1.000 2.000 4.000 10 20 30\n1.000 2.000 4.000 10 20 30\n");

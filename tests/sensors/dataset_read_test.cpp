@@ -41,7 +41,8 @@ TEST(DatasetRead, GivesBackWhatTheSensorGave) {
   EXPECT_EQ(dataset.sequences[1].split, task.split);
   const World world(scene);
   for (std::size_t k = 0; k < 2; ++k) {
-    const Scan scan = scan_room(world, scene.sensor_poses[k % scene.sensor_poses.size()], task.lidar, stream_seed(task.seed, "scan", k));
+    const Scan scan = scan_room(world, scene.sensor_poses[k % scene.sensor_poses.size()],
+                                task.lidar, stream_seed(task.seed, "scan", k));
     const Scan back = read_dataset_scan(dataset.sequences[1], k);
     ASSERT_EQ(back.cloud.size(), scan.cloud.size());
     for (std::size_t i = 0; i < scan.cloud.size(); ++i) {
@@ -73,12 +74,15 @@ TEST(DatasetRead, GivesBackWhatTheSensorGave) {
 
 TEST(DatasetRead, SomebodyElsesSemanticKitti) {
   const TemporaryFolder folder;
-  for (const char* name : {"00", "08", "11"}) fs::create_directories(folder / "sequences" / name / "velodyne");
+  for (const char* name : {"00", "08", "11"})
+    fs::create_directories(folder / "sequences" / name / "velodyne");
   fs::create_directories(folder / "sequences/00/labels");
-  write_file(folder / "sequences/00/velodyne/000000.bin", std::string("\0\0\x80\x3f\0\0\0\x40\0\0\x40\x40\0\0\0\x3f", 16));
+  write_file(folder / "sequences/00/velodyne/000000.bin",
+             std::string("\0\0\x80\x3f\0\0\0\x40\0\0\x40\x40\0\0\0\x3f", 16));
   write_file(folder / "sequences/00/velodyne/000001.bin", std::string(32, '\0'));
   write_file(folder / "sequences/00/labels/000000.label", std::string("\x28\0\x05\0", 4));
-  write_file(folder / "sequences/00/poses.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0 0 1 0 0 0 0 1 2\n");
+  write_file(folder / "sequences/00/poses.txt",
+             "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0 0 1 0 0 0 0 1 2\n");
   write_file(folder / "sequences/08/velodyne/000000.bin", std::string(16, '\0'));
   const Dataset dataset = read_dataset(folder / "");
   EXPECT_EQ(dataset.name, "");
@@ -118,8 +122,9 @@ TEST(DatasetRead, VerifySeesEveryChange) {
   fs::remove(folder / "a/sequences/00/times.txt");
   write_file(folder / "a/notes.txt", "");
   EXPECT_EQ(verify_dataset(folder / "a"),
-            (std::vector<std::string>{"sequences/00/labels/000000.label: is not what the data-set card says",
-                                      "sequences/00/times.txt: is missing", "notes.txt: is not in the data-set card"}));
+            (std::vector<std::string>{
+                "sequences/00/labels/000000.label: is not what the data-set card says",
+                "sequences/00/times.txt: is missing", "notes.txt: is not in the data-set card"}));
 }
 
 std::optional<std::string> output_of(const std::string& command) {
@@ -127,12 +132,14 @@ std::optional<std::string> output_of(const std::string& command) {
   if (pipe == nullptr) return std::nullopt;
   std::string text;
   std::array<char, 4096> buffer;
-  for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) text.append(buffer.data(), n);
+  for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+    text.append(buffer.data(), n);
   if (::pclose(pipe) != 0) return std::nullopt;
   return text;
 }
 
-/// What support/read_dataset.py prints, computed here with reads that share no code with the project.
+/// What support/read_dataset.py prints, computed here with reads that share no code with the
+/// project.
 std::string summary(const fs::path& root, const Suite& suite) {
   std::string text;
   for (const auto& task : scene_tasks(suite)) {
@@ -145,9 +152,12 @@ std::string summary(const fs::path& root, const Suite& suite) {
         std::ifstream in(folder / sub / (number + ending), std::ios::binary);
         return std::string(std::istreambuf_iterator<char>(in), {});
       };
-      const std::string bin = bytes("velodyne", ".bin"), label = bytes("labels", ".label"), npy = bytes("truth", ".npy");
+      const std::string bin = bytes("velodyne", ".bin"), label = bytes("labels", ".label"),
+                        npy = bytes("truth", ".npy");
       EXPECT_EQ(bin.size(), 4 * label.size());
-      const auto byte = [](const std::string& s, std::size_t i) { return static_cast<unsigned long>(static_cast<unsigned char>(s[i])); };
+      const auto byte = [](const std::string& s, std::size_t i) {
+        return static_cast<unsigned long>(static_cast<unsigned char>(s[i]));
+      };
       unsigned long labels = 0, instances = 0;
       long faces = 0;
       const std::size_t start = 10 + byte(npy, 8) + 256 * byte(npy, 9);
@@ -155,14 +165,15 @@ std::string summary(const fs::path& root, const Suite& suite) {
         labels += byte(label, 4 * i) + 256 * byte(label, 4 * i + 1);
         instances += byte(label, 4 * i + 2) + 256 * byte(label, 4 * i + 3);
         const std::size_t at = start + 23 * i;
-        faces += static_cast<std::int32_t>(byte(npy, at) | byte(npy, at + 1) << 8 | byte(npy, at + 2) << 16 | byte(npy, at + 3) << 24);
+        faces += static_cast<std::int32_t>(byte(npy, at) | byte(npy, at + 1) << 8 |
+                                           byte(npy, at + 2) << 16 | byte(npy, at + 3) << 24);
       }
       double m[12];
       for (double& v : m) poses >> v;
       // Camera to sensor: x = z_c, y = -x_c, z = -y_c.
       char line[256];
-      std::snprintf(line, sizeof line, "%s %d %zu %lu %lu %ld %.9f %.9f %.9f\n", task.name.c_str(), k, label.size() / 4, labels, instances,
-                    faces, m[11], 0.0 - m[3], 0.0 - m[7]);
+      std::snprintf(line, sizeof line, "%s %d %zu %lu %lu %ld %.9f %.9f %.9f\n", task.name.c_str(),
+                    k, label.size() / 4, labels, instances, faces, m[11], 0.0 - m[3], 0.0 - m[7]);
       text += line;
     }
   }
@@ -176,7 +187,8 @@ TEST(DatasetRead, IndependentReadersReadTheSame) {
   const std::string expected = summary(folder / "a", suite);
   const Dataset dataset = read_dataset(folder / "a");
   std::size_t points = 0;
-  for (const auto& sequence : dataset.sequences) points += read_dataset_scan(sequence, 0).cloud.size();
+  for (const auto& sequence : dataset.sequences)
+    points += read_dataset_scan(sequence, 0).cloud.size();
   EXPECT_GT(points, 1000U);
   std::string python;
   for (const char* name : {"/usr/bin/python3", "python3"}) {
@@ -187,7 +199,8 @@ TEST(DatasetRead, IndependentReadersReadTheSame) {
     std::printf("no Python with numpy here: the reads above are the independent reader\n");
     return;
   }
-  EXPECT_EQ(output_of(python + " '" + SCANCHOR_SOURCE_DIR + "/tests/sensors/support/read_dataset.py' '" + (folder / "a").string() + "'"),
+  EXPECT_EQ(output_of(python + " '" + SCANCHOR_SOURCE_DIR +
+                      "/tests/sensors/support/read_dataset.py' '" + (folder / "a").string() + "'"),
             expected);
 }
 

@@ -58,7 +58,8 @@ TEST(Dataset, TheBytesDoNotDependOnThreadsShardsOrInterruptions) {
   generate_dataset(suite, folder / "two", options);
   EXPECT_EQ(hashes(folder / "two"), expected) << "threads";
 
-  // Three shards on three machines, laid side by side, then finished by a call that finds nothing to do.
+  // Three shards on three machines, laid side by side, then finished by a call that finds nothing
+  // to do.
   for (int i = 0; i < 3; ++i) {
     options.shard = {i, 3};
     const auto part = generate_dataset(suite, folder / ("shard" + std::to_string(i)), options);
@@ -81,7 +82,8 @@ TEST(Dataset, TheBytesDoNotDependOnThreadsShardsOrInterruptions) {
   EXPECT_TRUE(merged.complete);
   EXPECT_EQ(hashes(folder / "merged"), expected) << "shards";
 
-  // Stopped after three scans, then a file of a finished scene cut short as a crash might, then resumed.
+  // Stopped after three scans, then a file of a finished scene cut short as a crash might, then
+  // resumed.
   std::atomic<bool> stop = false;
   options.threads = 1;
   options.stop = &stop;
@@ -102,7 +104,8 @@ TEST(Dataset, TheBytesDoNotDependOnThreadsShardsOrInterruptions) {
   std::ofstream(folder / "resumed/sequences/02/velodyne/000001.bin", std::ios::trunc) << "x";
   write_file(folder / "resumed/sequences/02/velodyne/000001.bin.part-1", "left by a killed run");
   fs::remove(folder / "resumed/dataset.json");
-  EXPECT_EQ(generate_dataset(suite, folder / "resumed", options).scenes_written, 1) << "a damaged scene is made again";
+  EXPECT_EQ(generate_dataset(suite, folder / "resumed", options).scenes_written, 1)
+      << "a damaged scene is made again";
   EXPECT_EQ(hashes(folder / "resumed"), expected);
 }
 
@@ -113,13 +116,19 @@ TEST(Dataset, AnotherSuiteSeedOrFormatIsRefused) {
   generate_dataset(suite, folder / "a");
   const auto before = hashes(folder / "a");
   suite.seed = 2;
-  EXPECT_NE(data_error([&] { generate_dataset(suite, folder / "a"); }).find("holds another data set"), std::string::npos);
+  EXPECT_NE(
+      data_error([&] { generate_dataset(suite, folder / "a"); }).find("holds another data set"),
+      std::string::npos);
   suite.seed = 1;
   DatasetOptions options;
   options.formats.pcd = true;
-  EXPECT_NE(data_error([&] { generate_dataset(suite, folder / "a", options); }).find("holds another data set"), std::string::npos);
+  EXPECT_NE(data_error([&] {
+              generate_dataset(suite, folder / "a", options);
+            }).find("holds another data set"),
+            std::string::npos);
   fs::create_directories(folder / "b" / "sequences");
-  EXPECT_NE(data_error([&] { generate_dataset(suite, folder / "b"); }).find("without suite.json"), std::string::npos);
+  EXPECT_NE(data_error([&] { generate_dataset(suite, folder / "b"); }).find("without suite.json"),
+            std::string::npos);
   EXPECT_EQ(hashes(folder / "a"), before);
 }
 
@@ -148,8 +157,11 @@ TEST(Dataset, AFullDiskLeavesNoHalfFileAndIsResumed) {
 TEST(Dataset, AnUnwritableFolderIsSaidAtOnce) {
   const TemporaryFolder folder;
   write_file(folder / "file", "");
-  EXPECT_NE(data_error([&] { generate_dataset(small_suite(), folder / "file"); }).find("file"), std::string::npos);
-  EXPECT_NE(data_error([&] { generate_dataset(small_suite(), folder / "file/below"); }).find("folder cannot be made"),
+  EXPECT_NE(data_error([&] { generate_dataset(small_suite(), folder / "file"); }).find("file"),
+            std::string::npos);
+  EXPECT_NE(data_error([&] {
+              generate_dataset(small_suite(), folder / "file/below");
+            }).find("folder cannot be made"),
             std::string::npos);
 }
 

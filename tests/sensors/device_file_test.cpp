@@ -31,7 +31,8 @@ class DeviceFile : public ::testing::Test {
 };
 
 TEST_F(DeviceFile, StartsFromItsPresetWhereverThatStands) {
-  const LidarOptions o = read("lines: 278\nencoder_sigma_deg: 0.02\npreset: utm-30lx\necho: last\n");
+  const LidarOptions o =
+      read("lines: 278\nencoder_sigma_deg: 0.02\npreset: utm-30lx\necho: last\n");
   EXPECT_EQ(o.preset, "utm-30lx");
   EXPECT_EQ(o.beams_per_line, 1081);
   EXPECT_EQ(o.lines, 278);

@@ -16,11 +16,11 @@ Sample sample(double range, double weight, std::int32_t face, std::uint8_t flags
   return {range, weight, 1.0, static_cast<std::uint32_t>(2 * face), face, flags};
 }
 
-Echo resolve(const LidarOptions& o, std::vector<Sample> samples) { return resolve_echo(o, samples); }
-
-TEST(Echo, NothingComesBackFromNothing) {
-  EXPECT_EQ(resolve({}, {}).triangle, no_hit);
+Echo resolve(const LidarOptions& o, std::vector<Sample> samples) {
+  return resolve_echo(o, samples);
 }
+
+TEST(Echo, NothingComesBackFromNothing) { EXPECT_EQ(resolve({}, {}).triangle, no_hit); }
 
 TEST(Echo, OneSurfaceIsTheMeanByEnergy) {
   const Echo echo = resolve({}, {sample(2.0, 0.3, 4), sample(2.1, 0.1, 4)});
@@ -47,7 +47,8 @@ TEST(Echo, SurfacesWithinTheGapRunTogether) {
 
 TEST(Echo, SurfacesBeyondTheGapAreEchoesOfTheirOwn) {
   LidarOptions o;
-  const std::vector<Sample> samples = {sample(6.0, 4.0, 3), sample(2.0, 0.1, 1), sample(4.0, 0.9, 2)};
+  const std::vector<Sample> samples = {sample(6.0, 4.0, 3), sample(2.0, 0.1, 1),
+                                       sample(4.0, 0.9, 2)};
   o.echo = "first";
   EXPECT_EQ(resolve(o, samples).range, 2.0);
   o.echo = "last";
@@ -66,7 +67,8 @@ TEST(Echo, OrderOfSamplesDoesNotMatter) {
   for (int round = 0; round < 200; ++round) {
     std::vector<Sample> samples;
     for (int i = 0; i < 12; ++i) {
-      samples.push_back(sample(random.uniform(1, 4), random.uniform(0.01, 1), static_cast<int>(random.below(4)) + 1));
+      samples.push_back(sample(random.uniform(1, 4), random.uniform(0.01, 1),
+                               static_cast<int>(random.below(4)) + 1));
     }
     const Echo a = resolve(o, samples);
     for (std::size_t i = samples.size() - 1; i > 0; --i) {

@@ -68,13 +68,15 @@ TEST(EdgeMask, LeavesThePlainMiddleOfWallsOut) {
     const Eigen::Isometry3d T = standing();
     for (std::size_t k = 0; k < 500; ++k) {
       const Eigen::Vector3d origin = T * beams.origin(k), d = T.linear() * beams.direction(k);
-      beams.origin_x[k] = origin.x(), beams.origin_y[k] = origin.y(), beams.origin_z[k] = origin.z();
+      beams.origin_x[k] = origin.x(), beams.origin_y[k] = origin.y(),
+      beams.origin_z[k] = origin.z();
       beams.direction_x[k] = d.x(), beams.direction_y[k] = d.y(), beams.direction_z[k] = d.z();
     }
     tracer.trace_middles(beams, lines[static_cast<std::size_t>(n)]);
   }
   const auto mask = straddling_beams(world, standing(), o, kinematics, 1.0, lines);
-  const double share = std::accumulate(mask.begin(), mask.end(), 0.0) / static_cast<double>(mask.size());
+  const double share =
+      std::accumulate(mask.begin(), mask.end(), 0.0) / static_cast<double>(mask.size());
   EXPECT_LT(share, 0.25) << "an empty room is mostly wall";
   EXPECT_GT(share, 0.01);
 }

@@ -186,7 +186,8 @@ TEST(Kinematics, CellsFillTheFieldOfView) {
   for (int n = 0; n < 200; ++n) {
     for (int k = 0; k < 200; ++k) sum += camera.solid_angle(n, k);
   }
-  const double s = std::sin(radians(20.0));  // of a square pyramid: 4 asin(tan^2 / (1 + tan^2)) = 4 asin(sin^2)
+  const double s =
+      std::sin(radians(20.0));  // of a square pyramid: 4 asin(tan^2 / (1 + tan^2)) = 4 asin(sin^2)
   EXPECT_NEAR(sum, 4.0 * std::asin(s * s), 1e-4);
 }
 
@@ -205,7 +206,8 @@ TEST(Kinematics, SpinningChannelsAndCameraPixels) {
   camera.true_beams(0, beams);
   EXPECT_GT(beams.direction_z[0], 0.0) << "first row is the upper one";
   EXPECT_GT(beams.direction_y[0], 0.0) << "first column is the left one";
-  EXPECT_NEAR(beams.direction_y[0] / beams.direction_x[0], std::tan(radians(20.0)) * 199 / 200, 1e-12);
+  EXPECT_NEAR(beams.direction_y[0] / beams.direction_x[0], std::tan(radians(20.0)) * 199 / 200,
+              1e-12);
 }
 
 }  // namespace

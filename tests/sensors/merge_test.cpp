@@ -63,7 +63,8 @@ TEST(Merge, FirstScanStaysAndTheErrorIsReported) {
   const MergedScan merged = merge_scans(scans, o, 5);
   EXPECT_EQ(merged.T_first_placed[0].matrix(), Eigen::Matrix4d::Identity());
   EXPECT_EQ(merged.scan.cloud.points[7], scans[0].cloud.points[7]);
-  EXPECT_GT((merged.T_first_placed[1].translation() - merged.T_first_scan[1].translation()).norm(), 0.005);
+  EXPECT_GT((merged.T_first_placed[1].translation() - merged.T_first_scan[1].translation()).norm(),
+            0.005);
   const Eigen::Vector3d expected = merged.T_first_placed[1] * scans[1].cloud.points[0];
   EXPECT_EQ(merged.scan.cloud.points[scans[0].cloud.size()], expected);
 }
@@ -81,7 +82,8 @@ TEST(Merge, ShufflingMovesWholeRows) {
     std::vector<Row> all;
     for (std::size_t i = 0; i < s.cloud.size(); ++i) {
       const auto& p = s.cloud.points[i];
-      all.emplace_back(p.x(), p.y(), p.z(), s.truth.face[i], s.line[i], s.beam[i], s.truth.true_range[i]);
+      all.emplace_back(p.x(), p.y(), p.z(), s.truth.face[i], s.line[i], s.beam[i],
+                       s.truth.true_range[i]);
     }
     std::sort(all.begin(), all.end());
     return all;
@@ -89,9 +91,7 @@ TEST(Merge, ShufflingMovesWholeRows) {
   EXPECT_EQ(rows(mixed.scan), rows(plain.scan));
 }
 
-TEST(Merge, NoScansIsWrongUsage) {
-  EXPECT_THROW(merge_scans({}, {}, 1), Error);
-}
+TEST(Merge, NoScansIsWrongUsage) { EXPECT_THROW(merge_scans({}, {}, 1), Error); }
 
 TEST(Merge, OptionsAreDescribed) {
   MergeOptions o;

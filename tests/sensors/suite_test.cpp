@@ -52,7 +52,8 @@ TEST(Suite, EveryPrefixHoldsTheMixWithinOne) {
     EXPECT_LE(std::abs(families["a"] - 0.5 * n), 1.0);
     EXPECT_LE(std::abs(families["c"] - 0.2 * n), 1.0);
     const int own = families[task.room.family];
-    EXPECT_LE(std::abs(splits[task.room.family]["train"] - 0.7 * own), 1.0) << "each family has its own parts";
+    EXPECT_LE(std::abs(splits[task.room.family]["train"] - 0.7 * own), 1.0)
+        << "each family has its own parts";
   }
   EXPECT_EQ(families["none"], 0);
 }

@@ -34,7 +34,8 @@ room: {clutter: 0.25}
 settle: {maximum_time: 4}
 lidar.range_sigma: 0.02
 lidar: {preset: utm-30lx, lines: 50}
-)", "s.yaml");
+)",
+                                  "s.yaml");
   EXPECT_EQ(suite.name, "mine");
   EXPECT_EQ(suite.seed, 18446744073709551615ULL);
   EXPECT_EQ(suite.scenes, 40);
@@ -51,24 +52,36 @@ lidar: {preset: utm-30lx, lines: 50}
 }
 
 TEST(SuiteYaml, ErrorsNameTheLineAndWhatWasMeant) {
-  EXPECT_EQ(error("name: a\nscens: 3\n"), "s.yaml: line 2: unknown key 'scens'; did you mean 'scenes'?");
-  EXPECT_EQ(error("lidar:\n  range_sgima: 0.1\n"), "s.yaml: line 2: unknown option 'lidar.range_sgima'; did you mean 'lidar.range_sigma'?");
-  EXPECT_EQ(error("room:\n  clutter: 2\n"), "s.yaml: line 2: option room.clutter: 2 is outside 0 .. 1 1");
-  EXPECT_EQ(error("families:\n  ofice: 1\n"), "s.yaml: line 2: unknown family 'ofice'; did you mean 'office'?");
+  EXPECT_EQ(error("name: a\nscens: 3\n"),
+            "s.yaml: line 2: unknown key 'scens'; did you mean 'scenes'?");
+  EXPECT_EQ(
+      error("lidar:\n  range_sgima: 0.1\n"),
+      "s.yaml: line 2: unknown option 'lidar.range_sgima'; did you mean 'lidar.range_sigma'?");
+  EXPECT_EQ(error("room:\n  clutter: 2\n"),
+            "s.yaml: line 2: option room.clutter: 2 is outside 0 .. 1 1");
+  EXPECT_EQ(error("families:\n  ofice: 1\n"),
+            "s.yaml: line 2: unknown family 'ofice'; did you mean 'office'?");
   EXPECT_EQ(error("scenes: 0\n").substr(0, 40), "s.yaml: line 1: scenes must be a number ");
   EXPECT_EQ(error("scenes: 2.5\n"), "s.yaml: line 1: scenes must be a whole number");
   EXPECT_EQ(error("seed: -4\n"), "s.yaml: line 1: seed must be a whole number from 0 to 2^64 - 1");
-  EXPECT_EQ(error("split: {trian: 1}\n"), "s.yaml: line 1: unknown part 'trian'; did you mean 'train'?");
+  EXPECT_EQ(error("split: {trian: 1}\n"),
+            "s.yaml: line 1: unknown part 'trian'; did you mean 'train'?");
   EXPECT_EQ(error("split: {train: 0}\n"), "s.yaml: line 1: split has no share above 0");
   EXPECT_EQ(error("families: {office: 0}\n"), "s.yaml: line 1: no family has a weight above 0");
   EXPECT_EQ(error("name: a\nname: b\n"), "s.yaml: line 2: the key 'name' comes twice");
-  EXPECT_EQ(error("vary: {room.clutter: [0.5]}\n"), "s.yaml: line 1: room.clutter must be [minimum, maximum]");
-  EXPECT_EQ(error("vary: {room.clutter: [0.5, 3]}\n"), "s.yaml: line 1: option room.clutter: 3 is outside 0 .. 1 1");
-  EXPECT_EQ(error("vary: {lidar.glass: [0, 1]}\n"), "s.yaml: line 1: lidar.glass is no number and cannot be varied");
-  EXPECT_NE(error("vary: {lidar.line: [1, 2]}\n").find("did you mean 'lidar.lines'?"), std::string::npos);
-  EXPECT_NE(error("room.family: office\n").find("comes from the suite's families"), std::string::npos);
+  EXPECT_EQ(error("vary: {room.clutter: [0.5]}\n"),
+            "s.yaml: line 1: room.clutter must be [minimum, maximum]");
+  EXPECT_EQ(error("vary: {room.clutter: [0.5, 3]}\n"),
+            "s.yaml: line 1: option room.clutter: 3 is outside 0 .. 1 1");
+  EXPECT_EQ(error("vary: {lidar.glass: [0, 1]}\n"),
+            "s.yaml: line 1: lidar.glass is no number and cannot be varied");
+  EXPECT_NE(error("vary: {lidar.line: [1, 2]}\n").find("did you mean 'lidar.lines'?"),
+            std::string::npos);
+  EXPECT_NE(error("room.family: office\n").find("comes from the suite's families"),
+            std::string::npos);
   EXPECT_NE(error("lidar: {preset: utm-30l}\n").find("line 1"), std::string::npos);
-  EXPECT_NE(error("lidar: {minimum_range: 5, maximum_range: 2}\n").find("minimum_range"), std::string::npos);
+  EXPECT_NE(error("lidar: {minimum_range: 5, maximum_range: 2}\n").find("minimum_range"),
+            std::string::npos);
   EXPECT_NE(error("a: [1\n").find("is no valid YAML"), std::string::npos);
   EXPECT_EQ(error("- 1\n- 2\n"), "s.yaml: line 1: a suite is a map of keys to values");
 }
@@ -90,7 +103,8 @@ TEST(SuiteYaml, TheResolvedSuiteHasEveryOption) {
 
 TEST(SuiteYaml, EverySuiteThatWeShipIsRead) {
   int found = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(std::string(SCANCHOR_SOURCE_DIR) + "/suites")) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(SCANCHOR_SOURCE_DIR) + "/suites")) {
     const Suite suite = read_suite(entry.path());
     EXPECT_EQ(suite.name, entry.path().stem().string());
     EXPECT_FALSE(suite.text.empty()) << entry.path();

@@ -35,7 +35,8 @@ TEST(TiltingLidar, NoiseFreePointsLieWhereTheRaysMeetTheBoxes) {
   ASSERT_EQ(scan.cloud.size(), 16000U);
   int other = 0;
   for (std::size_t i = 0; i < scan.cloud.size(); ++i) {
-    const Ray ray{standing().translation(), standing().linear() * scan.cloud.points[i].normalized()};
+    const Ray ray{standing().translation(),
+                  standing().linear() * scan.cloud.points[i].normalized()};
     const auto truth = testing::trace_boxes(scene, ray);
     if (truth.edge_distance < 1e-4) continue;
     if (std::fabs(truth.range - scan.cloud.points[i].norm()) > 1e-9) ++other;
@@ -140,7 +141,8 @@ TEST(TiltingLidar, RangeLimitsDropOrReport) {
   EXPECT_EQ(scan.truth.flags[0], point_out_of_range);
   EXPECT_EQ(scan.truth.instance[0], -1);
   EXPECT_TRUE(scan.visibility.empty());
-  EXPECT_EQ(scan_room(World(testing::plate(0.5)), origin, o, 1).cloud.size(), 0U) << "too near is lost";
+  EXPECT_EQ(scan_room(World(testing::plate(0.5)), origin, o, 1).cloud.size(), 0U)
+      << "too near is lost";
 }
 
 TEST(TiltingLidar, PointsComeInTheOrderOfMeasurement) {

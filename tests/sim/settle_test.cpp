@@ -13,7 +13,8 @@ using testing::box_instance;
 Scene table_room() {
   Scene scene = testing::empty_scene();
   testing::add_room(scene, {4, 4, 3});
-  scene.instances.push_back(box_instance(20, {1.6, 0.8, 0.04}, at(2, 2, 0.72)));  // a board, top at 0.74
+  scene.instances.push_back(
+      box_instance(20, {1.6, 0.8, 0.04}, at(2, 2, 0.72)));  // a board, top at 0.74
   return scene;
 }
 
@@ -42,7 +43,8 @@ double corner_depth(const Instance& a, const Instance& b) {
 
 TEST(Settle, BoxComesToRestOnTheTable) {
   Scene scene = table_room();
-  scene.instances.push_back(box_instance(30, {0.3, 0.2, 0.15}, at(2, 2, 0.74 + 0.075 + 0.02), true));
+  scene.instances.push_back(
+      box_instance(30, {0.3, 0.2, 0.15}, at(2, 2, 0.74 + 0.075 + 0.02), true));
   const SettleReport report = settle(scene, {});
   EXPECT_TRUE(report.settled) << (report.problems.empty() ? "" : report.problems[0]);
   EXPECT_EQ(report.loose, 1U);
@@ -82,7 +84,8 @@ TEST(Settle, ManySmallThingsDoNotInterpenetrate) {
   const std::size_t first = scene.instances.size();
   for (int i = 0; i < 25; ++i) {
     Eigen::Isometry3d pose = at(1.3 + 0.3 * (i % 5), 1.7 + 0.14 * (i / 5), 0.74 + 0.06);
-    pose.linear() = Eigen::AngleAxisd(random.uniform(0, 3), Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    pose.linear() =
+        Eigen::AngleAxisd(random.uniform(0, 3), Eigen::Vector3d::UnitZ()).toRotationMatrix();
     scene.instances.push_back(box_instance(
         30 + i, {random.uniform(0.03, 0.12), random.uniform(0.03, 0.1), random.uniform(0.01, 0.1)},
         pose, true));
@@ -116,7 +119,8 @@ TEST(Settle, SameSceneSameBits) {
     Scene scene = table_room();
     for (int i = 0; i < 6; ++i) {
       Eigen::Isometry3d pose = at(2 + 0.05 * i, 2, 0.9 + 0.12 * i);
-      pose.linear() = Eigen::AngleAxisd(0.4 * i, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+      pose.linear() =
+          Eigen::AngleAxisd(0.4 * i, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
       scene.instances.push_back(box_instance(30 + i, {0.2, 0.1, 0.1}, pose, true));
     }
     settle(scene, {});

@@ -1,4 +1,5 @@
-// Rays against the mesh kinds of the catalogue, through CGAL's AABB tree: another author, another algorithm, double precision.
+// Rays against the mesh kinds of the catalogue, through CGAL's AABB tree: another author, another
+// algorithm, double precision.
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
@@ -45,7 +46,8 @@ TEST(WorldMeshes, AgreeWithCgalOnEveryKindThatIsNoBox) {
   const World world(scene);
   Triangles triangles;
   for (std::uint32_t t = 0; t < world.triangles().size(); ++t) {
-    triangles.emplace_back(cgal(world.corner(t, 0)), cgal(world.corner(t, 1)), cgal(world.corner(t, 2)));
+    triangles.emplace_back(cgal(world.corner(t, 0)), cgal(world.corner(t, 1)),
+                           cgal(world.corner(t, 2)));
   }
   const Tree tree(triangles.begin(), triangles.end());
 
@@ -55,9 +57,11 @@ TEST(WorldMeshes, AgreeWithCgalOnEveryKindThatIsNoBox) {
     // From somewhere around a thing towards somewhere in it.
     const int which = static_cast<int>(random.below(static_cast<std::uint32_t>(kinds)));
     const Eigen::Vector3d foot(5.0 * (which % 5), 5.0 * (which / 5), 0.0);
-    const Eigen::Vector3d from = foot + Eigen::Vector3d(0, 0, 0.8) + 2.3 * testing::random_direction(random);
-    const Eigen::Vector3d to = foot + Eigen::Vector3d(random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4),
-                                                      random.uniform(0.0, 1.2));
+    const Eigen::Vector3d from =
+        foot + Eigen::Vector3d(0, 0, 0.8) + 2.3 * testing::random_direction(random);
+    const Eigen::Vector3d to =
+        foot + Eigen::Vector3d(random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4),
+                               random.uniform(0.0, 1.2));
     rays.push_back({from, (to - from).normalized()});
   }
   std::vector<Hit> hits(rays.size());

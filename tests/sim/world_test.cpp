@@ -47,7 +47,8 @@ TEST(World, AgreesWithTheSlabMethodOnAMillionRays) {
   parallel_blocks(rays.size(), 1000, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto truth = testing::trace_boxes(scene, rays[i]);
-      // Within the reach of single precision of an edge, or where two surfaces cross, either answer is right.
+      // Within the reach of single precision of an edge, or where two surfaces cross, either answer
+      // is right.
       if (truth.edge_distance < 1e-5 || truth.runner_up - truth.range < 1e-4) {
         ++near_edge[begin / 1000];
         continue;
@@ -123,7 +124,8 @@ TEST(World, ClosedRoomHasNoLeak) {
             0);
 }
 
-// A beam at 90 degrees on a line that is tilted by less than a degree has a component of about -1e-18: its packet must not be lost.
+// A beam at 90 degrees on a line that is tilted by less than a degree has a component of about
+// -1e-18: its packet must not be lost.
 TEST(World, ComponentsNextToZeroLoseNoRay) {
   const Scene scene = testing::random_boxes(0, 1);
   for (const int width : {1, 4, 8, 16}) {
@@ -143,7 +145,9 @@ TEST(World, ComponentsNextToZeroLoseNoRay) {
           }
           std::vector<Hit> hits(rays.size());
           world.trace(rays, hits);
-          for (const Hit& hit : hits) EXPECT_NE(hit.triangle, no_hit) << "width " << width << " component " << sign * tiny << " of axis " << axis;
+          for (const Hit& hit : hits)
+            EXPECT_NE(hit.triangle, no_hit)
+                << "width " << width << " component " << sign * tiny << " of axis " << axis;
         }
       }
     }
@@ -177,7 +181,8 @@ TEST(World, TrianglesKnowWhatTheyBelongTo) {
   scene.instances.push_back(box_instance(9, {1, 1, 1}, at(0, 3, 0)));
   const World world(scene);
   ASSERT_EQ(world.triangles().size(), 24U);
-  const std::vector<Ray> rays = {{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, {0, 1, 0}}, {{0, 0, 0}, {0, 0, 1}}};
+  const std::vector<Ray> rays = {
+      {{0, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, {0, 1, 0}}, {{0, 0, 0}, {0, 0, 1}}};
   std::vector<Hit> hits(3);
   world.trace(rays, hits);
   EXPECT_DOUBLE_EQ(hits[0].range, 2.5);

@@ -6,12 +6,13 @@
 namespace scanchor::testing_support {
 
 struct Ran {
-  int code = -1;       ///< exit code; 128 + signal when it was killed
-  std::string out;     ///< standard output
-  std::string error;   ///< standard error
+  int code = -1;      ///< exit code; 128 + signal when it was killed
+  std::string out;    ///< standard output
+  std::string error;  ///< standard error
 };
 
-/// Arguments as the shell reads them. `input`-less, in a scratch folder that lives as long as the test program.
+/// Arguments as the shell reads them. `input`-less, in a scratch folder that lives as long as the
+/// test program.
 Ran run_scanchor(const std::string& arguments);
 /// The scratch folder, ending in '/'.
 const std::string& scratch();

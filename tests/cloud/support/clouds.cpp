@@ -62,21 +62,25 @@ PointCloud cloud_with_all_types(bool wide, std::uint64_t seed) {
 
 void expect_same(const PointCloud& a, const PointCloud& b) {
   const auto bits_equal = [](double x, double y) {
-    return (std::isnan(x) && std::isnan(y)) || std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+    return (std::isnan(x) && std::isnan(y)) ||
+           std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
   };
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
-    for (int k = 0; k < 3; ++k) EXPECT_TRUE(bits_equal(a.points[i][k], b.points[i][k])) << "point " << i << " axis " << k;
+    for (int k = 0; k < 3; ++k)
+      EXPECT_TRUE(bits_equal(a.points[i][k], b.points[i][k])) << "point " << i << " axis " << k;
   }
   EXPECT_EQ(a.width, b.width);
   EXPECT_EQ(a.height, b.height);
   ASSERT_EQ(a.fields.size(), b.fields.size());
   for (std::size_t f = 0; f < a.fields.size(); ++f) {
     EXPECT_EQ(a.fields[f].name, b.fields[f].name);
-    EXPECT_EQ(a.fields[f].values.index(), b.fields[f].values.index()) << "type of " << a.fields[f].name;
+    EXPECT_EQ(a.fields[f].values.index(), b.fields[f].values.index())
+        << "type of " << a.fields[f].name;
     ASSERT_EQ(a.fields[f].size(), b.fields[f].size());
     for (std::size_t i = 0; i < a.size(); ++i) {
-      EXPECT_TRUE(bits_equal(a.fields[f].at(i), b.fields[f].at(i))) << a.fields[f].name << " of point " << i;
+      EXPECT_TRUE(bits_equal(a.fields[f].at(i), b.fields[f].at(i)))
+          << a.fields[f].name << " of point " << i;
     }
   }
   ASSERT_EQ(a.sensor_poses.size(), b.sensor_poses.size());
@@ -97,20 +101,29 @@ std::string data_error(const std::function<void()>& body) {
   return "";
 }
 
-void expect_robust(const std::string& bytes, int mutations, const std::function<void(const std::string&)>& read) {
+void expect_robust(const std::string& bytes, int mutations,
+                   const std::function<void(const std::string&)>& read) {
   SequentialRandom random(99);
   const auto size = static_cast<std::uint32_t>(bytes.size());
   for (int m = 0; m < mutations; ++m) {
     std::string bad = bytes;
     switch (m % 4) {
-      case 0: bad.resize(random.below(size)); break;
-      case 1:
-        for (std::uint32_t k = 0; k <= random.below(8); ++k) bad[random.below(size)] ^= static_cast<char>(1U << random.below(8));
+      case 0:
+        bad.resize(random.below(size));
         break;
-      case 2: bad[random.below(std::min<std::uint32_t>(size, 300))] = static_cast<char>(random.below(256)); break;
+      case 1:
+        for (std::uint32_t k = 0; k <= random.below(8); ++k)
+          bad[random.below(size)] ^= static_cast<char>(1U << random.below(8));
+        break;
+      case 2:
+        bad[random.below(std::min<std::uint32_t>(size, 300))] =
+            static_cast<char>(random.below(256));
+        break;
       default: {  // a digit of the header: counts, sizes
-        const auto digit = bad.find_first_of("0123456789", random.below(std::min<std::uint32_t>(size, 300)));
-        if (digit != std::string::npos) bad.insert(digit, random.chance(0.5) ? "99999999999999999" : "-");
+        const auto digit =
+            bad.find_first_of("0123456789", random.below(std::min<std::uint32_t>(size, 300)));
+        if (digit != std::string::npos)
+          bad.insert(digit, random.chance(0.5) ? "99999999999999999" : "-");
       }
     }
     try {

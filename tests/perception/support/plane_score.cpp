@@ -7,8 +7,9 @@
 
 namespace scanchor::support {
 
-PlaneScore score_planes(const std::vector<std::int32_t>& truth, const std::vector<std::int32_t>& regions,
-                        double tolerance, std::size_t least) {
+PlaneScore score_planes(const std::vector<std::int32_t>& truth,
+                        const std::vector<std::int32_t>& regions, double tolerance,
+                        std::size_t least) {
   std::map<std::int32_t, std::size_t> true_size, region_size;
   std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> overlap;
   for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -35,7 +36,8 @@ PlaneScore score_planes(const std::vector<std::int32_t>& truth, const std::vecto
       region_done.insert(pair.second);
     }
   }
-  for (const auto id : counted) {  // over-segmentation: several regions, each mostly of this plane, together most of it
+  for (const auto id : counted) {  // over-segmentation: several regions, each mostly of this plane,
+                                   // together most of it
     if (true_done.count(id)) continue;
     std::size_t together = 0;
     std::vector<std::int32_t> parts;
@@ -66,7 +68,8 @@ PlaneScore score_planes(const std::vector<std::int32_t>& truth, const std::vecto
     }
   }
   for (const auto id : counted) score.missed += !true_done.count(id);
-  for (const auto& [id, size] : region_size) score.spurious += size >= least && !region_done.count(id);
+  for (const auto& [id, size] : region_size)
+    score.spurious += size >= least && !region_done.count(id);
 
   std::size_t on_planes = 0, in_best = 0, best_points = 0;
   double small = 0.0;
@@ -80,19 +83,22 @@ PlaneScore score_planes(const std::vector<std::int32_t>& truth, const std::vecto
     }
     on_planes += true_size[id];
     in_best += best;
-    if (best_region >= 0 && taken.insert(best_region).second) best_points += region_size[best_region];
+    if (best_region >= 0 && taken.insert(best_region).second)
+      best_points += region_size[best_region];
     if (100 * true_size[id] < truth.size()) {
       small += static_cast<double>(best) / static_cast<double>(true_size[id]);
       ++smalls;
     }
     bool is_correct = false;
     for (const auto& [pair, both] : overlap) {
-      is_correct |= pair.first == id && covers(both, true_size[id]) && covers(both, region_size[pair.second]);
+      is_correct |=
+          pair.first == id && covers(both, true_size[id]) && covers(both, region_size[pair.second]);
     }
     if (!is_correct) score.not_correct.push_back(id);
   }
   score.recall = on_planes ? static_cast<double>(in_best) / static_cast<double>(on_planes) : 0.0;
-  score.precision = best_points ? static_cast<double>(in_best) / static_cast<double>(best_points) : 0.0;
+  score.precision =
+      best_points ? static_cast<double>(in_best) / static_cast<double>(best_points) : 0.0;
   score.small_recall = smalls ? small / smalls : 0.0;
   return score;
 }

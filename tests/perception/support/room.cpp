@@ -13,21 +13,22 @@ namespace {
 Box box_at(const Eigen::Vector3d& center, const Eigen::Vector3d& size, double yaw_deg = 0.0) {
   Box box;
   box.half = 0.5 * size;
-  box.T_world_box = Eigen::Translation3d(center) *
-                    Eigen::AngleAxisd(radians(yaw_deg), Eigen::Vector3d::UnitZ());
+  box.T_world_box =
+      Eigen::Translation3d(center) * Eigen::AngleAxisd(radians(yaw_deg), Eigen::Vector3d::UnitZ());
   return box;
 }
 
 // A box given in the frame of a piece of furniture.
-void place(std::vector<Box>& boxes, const Eigen::Isometry3d& T_world_thing, const Eigen::Vector3d& center,
-           const Eigen::Vector3d& size, double yaw_deg = 0.0) {
+void place(std::vector<Box>& boxes, const Eigen::Isometry3d& T_world_thing,
+           const Eigen::Vector3d& center, const Eigen::Vector3d& size, double yaw_deg = 0.0) {
   Box box = box_at(center, size, yaw_deg);
   box.T_world_box = T_world_thing * box.T_world_box;
   boxes.push_back(box);
 }
 
 Eigen::Isometry3d standing_at(double x, double y, double yaw_deg) {
-  return Eigen::Translation3d(x, y, 0.0) * Eigen::AngleAxisd(radians(yaw_deg), Eigen::Vector3d::UnitZ());
+  return Eigen::Translation3d(x, y, 0.0) *
+         Eigen::AngleAxisd(radians(yaw_deg), Eigen::Vector3d::UnitZ());
 }
 
 }  // namespace
@@ -52,7 +53,8 @@ std::vector<Box> reference_room(std::uint64_t seed) {
     }
   }
   for (const double side : {-1.0, 1.0}) {
-    place(boxes, desk, {side * 0.35, -0.15, high + 0.10 + 0.21}, {0.57, 0.04, 0.42}, side * 8.0 - 1.0 + jitter(4.0));
+    place(boxes, desk, {side * 0.35, -0.15, high + 0.10 + 0.21}, {0.57, 0.04, 0.42},
+          side * 8.0 - 1.0 + jitter(4.0));
     place(boxes, desk, {side * 0.35, -0.13, high + 0.05}, {0.05, 0.05, 0.10});
   }
 
@@ -62,7 +64,8 @@ std::vector<Box> reference_room(std::uint64_t seed) {
     place(boxes, shelf, {0, 0, 0.1 + 0.4 * board}, {shelf_width, 0.35, 0.02});
   }
   for (const double side : {-1.0, 1.0}) {
-    place(boxes, shelf, {side * 0.5 * (shelf_width + 0.02), 0, 0.5 * shelf_high}, {0.02, 0.35, shelf_high});
+    place(boxes, shelf, {side * 0.5 * (shelf_width + 0.02), 0, 0.5 * shelf_high},
+          {0.02, 0.35, shelf_high});
   }
 
   const auto cabinet = standing_at(5.0 + jitter(0.2), 4.3 + jitter(0.1), jitter(5.0));
@@ -72,14 +75,17 @@ std::vector<Box> reference_room(std::uint64_t seed) {
   place(boxes, chair, {0, 0, 0.45}, {0.42, 0.42, 0.04});
   place(boxes, chair, {0, 0.19, 0.75}, {0.42, 0.03, 0.45});
   for (const double sx : {-1.0, 1.0}) {
-    for (const double sy : {-1.0, 1.0}) place(boxes, chair, {sx * 0.18, sy * 0.18, 0.215}, {0.04, 0.04, 0.43});
+    for (const double sy : {-1.0, 1.0})
+      place(boxes, chair, {sx * 0.18, sy * 0.18, 0.215}, {0.04, 0.04, 0.43});
   }
 
   // Clutter: four boxes on the floor, two on the desk, two on the cabinet, nine in the shelf.
   const auto size = [&] {
-    return Eigen::Vector3d(random.uniform(0.12, 0.35), random.uniform(0.12, 0.3), random.uniform(0.1, 0.35));
+    return Eigen::Vector3d(random.uniform(0.12, 0.35), random.uniform(0.12, 0.3),
+                           random.uniform(0.1, 0.35));
   };
-  const auto stand = [&](const Eigen::Isometry3d& on, double x, double y, double z, const Eigen::Vector3d& s) {
+  const auto stand = [&](const Eigen::Isometry3d& on, double x, double y, double z,
+                         const Eigen::Vector3d& s) {
     place(boxes, on, {x, y, z + 0.5 * s.z()}, s, random.uniform(-45.0, 45.0));
   };
   const auto floor = standing_at(0, 0, 0);
@@ -93,7 +99,8 @@ std::vector<Box> reference_room(std::uint64_t seed) {
   stand(cabinet, 0.3, 0, 1.0, size());
   for (int i = 0; i < 9; ++i) {
     const Eigen::Vector3d s = size().cwiseMin(Eigen::Vector3d(0.3, 0.25, 0.3));
-    place(boxes, shelf, {(i % 3 - 1) * 0.36 + jitter(0.03), -0.02, 0.11 + 0.4 * (i / 3) + 0.5 * s.z()}, s,
+    place(boxes, shelf,
+          {(i % 3 - 1) * 0.36 + jitter(0.03), -0.02, 0.11 + 0.4 * (i / 3) + 0.5 * s.z()}, s,
           random.uniform(-15.0, 15.0));
   }
   return boxes;
@@ -112,7 +119,8 @@ RoomScan scan_boxes(const std::vector<Box>& boxes, const RayGrid& grid) {
     locals.push_back({inverse * grid.position, inverse.linear()});
   }
   for (int line = 0; line < grid.lines; ++line) {
-    const double tilt = radians(grid.tilt_deg + grid.vertical_deg * ((line + 0.5) / grid.lines - 0.5));
+    const double tilt =
+        radians(grid.tilt_deg + grid.vertical_deg * ((line + 0.5) / grid.lines - 0.5));
     for (int beam = 0; beam < grid.beams; ++beam) {
       const double bearing = radians(grid.horizontal_deg * ((beam + 0.5) / grid.beams - 0.5));
       // A line scanner on a tilt unit: the line's own plane is tilted about the y axis.
@@ -125,7 +133,8 @@ RoomScan scan_boxes(const std::vector<Box>& boxes, const RayGrid& grid) {
         double enter = -1e30, leave = 1e30;
         int enter_axis = 0, leave_axis = 0;
         for (int axis = 0; axis < 3; ++axis) {
-          double t0 = (-boxes[b].half[axis] - o[axis]) / d[axis], t1 = (boxes[b].half[axis] - o[axis]) / d[axis];
+          double t0 = (-boxes[b].half[axis] - o[axis]) / d[axis],
+                 t1 = (boxes[b].half[axis] - o[axis]) / d[axis];
           if (t0 > t1) std::swap(t0, t1);
           if (t0 > enter) enter = t0, enter_axis = axis;
           if (t1 < leave) leave = t1, leave_axis = axis;
@@ -141,8 +150,9 @@ RoomScan scan_boxes(const std::vector<Box>& boxes, const RayGrid& grid) {
         plane = static_cast<std::int32_t>(6 * b) + 2 * axis + (high ? 1 : 0);
       }
       if (plane < 0) continue;
-      const double range = nearest + grid.range_sigma * noise.normal(static_cast<std::uint64_t>(line),
-                                                                     static_cast<std::uint32_t>(beam));
+      const double range =
+          nearest + grid.range_sigma * noise.normal(static_cast<std::uint64_t>(line),
+                                                    static_cast<std::uint32_t>(beam));
       scan.cloud.points.push_back(grid.position + range * direction);
       scan.plane.push_back(plane);
       scan.incidence_cos.push_back(cosine);

@@ -1,7 +1,8 @@
 #pragma once
-// A room of boxes and a ray caster of its own, so that planes are judged against exact truth without any other room of the house.
-// The furniture of perception.md section 3 of the design: 6 x 5 x 2.8 m, desk, two monitors, five-board shelf, cabinet, chair,
-// 17 boxes; a scanner at (0.9, 2.3, 1.4).
+// A room of boxes and a ray caster of its own, so that planes are judged against exact truth
+// without any other room of the house. The furniture of perception.md section 3 of the design: 6 x
+// 5 x 2.8 m, desk, two monitors, five-board shelf, cabinet, chair, 17 boxes; a scanner at
+// (0.9, 2.3, 1.4).
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -12,7 +13,8 @@
 
 namespace scanchor::support {
 
-/// A box with its own planes: six faces, ids 6 * k .. 6 * k + 5 in the order -x, +x, -y, +y, -z, +z.
+/// A box with its own planes: six faces, ids 6 * k .. 6 * k + 5 in the order -x, +x, -y, +y, -z,
+/// +z.
 struct Box {
   Eigen::Isometry3d T_world_box = Eigen::Isometry3d::Identity();
   Eigen::Vector3d half = Eigen::Vector3d::Ones();
@@ -21,12 +23,12 @@ struct Box {
 
 struct RoomScan {
   PointCloud cloud;
-  std::vector<std::int32_t> plane;     ///< id of the face, a point
-  std::vector<double> incidence_cos;   ///< cosine between beam and face normal, a point
+  std::vector<std::int32_t> plane;    ///< id of the face, a point
+  std::vector<double> incidence_cos;  ///< cosine between beam and face normal, a point
 };
 
-/// Seed 0: the furniture exactly where the design has it. Other seeds move, turn and resize it and shuffle the boxes: thresholds
-/// are chosen on those, and reported on others.
+/// Seed 0: the furniture exactly where the design has it. Other seeds move, turn and resize it and
+/// shuffle the boxes: thresholds are chosen on those, and reported on others.
 std::vector<Box> reference_room(std::uint64_t seed);
 
 struct RayGrid {

@@ -34,7 +34,8 @@ Surface make_surface(const Plate& plate) {
   s.rectangle.length = measured(std::max(plate.length, plate.width), plate.edge_sigma);
   s.rectangle.width = measured(std::min(plate.length, plate.width), plate.edge_sigma);
   s.rectangle.angle = plate.length >= plate.width ? 0.0 : 0.5 * pi;
-  s.area = measured(plate.length * plate.width * plate.fill, plate.edge_sigma * (plate.length + plate.width));
+  s.area = measured(plate.length * plate.width * plate.fill,
+                    plate.edge_sigma * (plate.length + plate.width));
   s.rectangularness = plate.fill;
   s.is_rectangle = plate.fill > 0.9;
   s.occluded_outline = plate.hidden;
@@ -70,7 +71,8 @@ std::vector<Plate> paper_room() {
 
 std::vector<Plate> shelf_boards(int boards) {
   std::vector<Plate> plates;
-  for (int i = 0; i < boards; ++i) plates.push_back({{-2.0, -2.0, 0.3 + 0.4 * i}, {0, 0, 1}, {1, 0, 0}, 1.16, 0.35});
+  for (int i = 0; i < boards; ++i)
+    plates.push_back({{-2.0, -2.0, 0.3 + 0.4 * i}, {0, 0, 1}, {1, 0, 0}, 1.16, 0.35});
   return plates;
 }
 

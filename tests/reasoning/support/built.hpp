@@ -19,15 +19,16 @@ struct Plate {
   double width = 0.5;
   double tilt_sigma_deg = 0.1;
   double edge_sigma = 0.005;
-  double hidden = 0.0;        ///< share of the outline in the shadow; above 0: sizes are "at least"
-  double fill = 1.0;          ///< area / area of the rectangle
+  double hidden = 0.0;  ///< share of the outline in the shadow; above 0: sizes are "at least"
+  double fill = 1.0;    ///< area / area of the rectangle
 };
 
 Surface make_surface(const Plate& plate);
 /// Numbered in their order.
 Surfaces make_surfaces(const std::vector<Plate>& plates);
 
-/// The desk of equation 1 with one or two screens, on a floor of 6 x 5 m, walls of 2.7 m and a ceiling.
+/// The desk of equation 1 with one or two screens, on a floor of 6 x 5 m, walls of 2.7 m and a
+/// ceiling.
 std::vector<Plate> paper_room();
 /// `boards` boards 1.16 x 0.35 m, one above the other, at (2, 2).
 std::vector<Plate> shelf_boards(int boards);

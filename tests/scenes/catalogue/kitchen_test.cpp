@@ -13,7 +13,8 @@ using testing::find_part;
 
 TEST(Kitchen, WorktopsAreLevel) {
   const Scene counter = alone({"kitchen counter", "plain", 1, {{"height", 0.9}}, 0.0});
-  EXPECT_NEAR(find_face(*find_part(counter.instances[0], "worktop"), "top")->center.z(), 0.9, 1e-12);
+  EXPECT_NEAR(find_face(*find_part(counter.instances[0], "worktop"), "top")->center.z(), 0.9,
+              1e-12);
   const Scene sink = alone({"sink counter", "single basin", 1, {{"height", 0.9}}, 0.0});
   const Part* top = find_part(sink.instances[0], "worktop");
   const Face* front = find_face(*top, "front");
@@ -33,7 +34,9 @@ TEST(Kitchen, FridgeFreezerHasTwoDoorsInOnePlane) {
 
 TEST(Kitchen, AppliancesFitTheGrid) {
   for (const char* kind : {"dishwasher", "oven", "washing machine"}) {
-    for (std::uint64_t seed = 0; seed < 6; ++seed) EXPECT_LE(local_bounds(alone({kind, "", seed, {}, 0.0}).instances[0]).sizes().x(), 0.6 + 1e-9);
+    for (std::uint64_t seed = 0; seed < 6; ++seed)
+      EXPECT_LE(local_bounds(alone({kind, "", seed, {}, 0.0}).instances[0]).sizes().x(),
+                0.6 + 1e-9);
   }
 }
 

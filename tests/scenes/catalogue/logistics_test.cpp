@@ -19,12 +19,14 @@ TEST(Logistics, EuroPalletHasItsStandardSize) {
   EXPECT_NEAR(size.y(), 0.8, 1e-9);
   EXPECT_NEAR(size.z(), 0.144, 1e-9);
   int blocks = 0;
-  for (const auto& part : scene.instances[0].parts) blocks += part.name.rfind("block", 0) == 0 ? 1 : 0;
+  for (const auto& part : scene.instances[0].parts)
+    blocks += part.name.rfind("block", 0) == 0 ? 1 : 0;
   EXPECT_EQ(blocks, 9);
 }
 
 TEST(Logistics, OpenBoxesAreHollow) {
-  const Scene scene = alone({"box", "open", 1, {{"width", 0.4}, {"depth", 0.3}, {"height", 0.25}}, 0.0});
+  const Scene scene =
+      alone({"box", "open", 1, {{"width", 0.4}, {"depth", 0.3}, {"height", 0.25}}, 0.0});
   double solid = 0.0;
   for (const auto& part : scene.instances[0].parts) solid += testing::volume(part);
   EXPECT_LT(solid, 0.2 * 0.4 * 0.3 * 0.25);

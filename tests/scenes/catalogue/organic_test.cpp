@@ -32,13 +32,15 @@ TEST(Organic, RoundThingsAreRound) {
 TEST(Organic, MannequinsAreAsTallAsPeople) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Scene scene = alone({"mannequin", "standing", seed, {}, 0.0});
-    EXPECT_NEAR(local_bounds(scene.instances[0]).max().z(), scene.instances[0].parameters.at("height"), 0.03);
+    EXPECT_NEAR(local_bounds(scene.instances[0]).max().z(),
+                scene.instances[0].parameters.at("height"), 0.03);
   }
 }
 
 TEST(Organic, CeilingLampsHangBelowTheCeiling) {
   for (const char* variant : {"linear", "globe", "shade"}) {
-    const auto bounds = local_bounds(alone({"ceiling lamp", variant, 1, {{"drop", 0.5}}, 0.0}).instances[0]);
+    const auto bounds =
+        local_bounds(alone({"ceiling lamp", variant, 1, {{"drop", 0.5}}, 0.0}).instances[0]);
     EXPECT_LT(bounds.max().z(), -0.001) << variant;
     EXPECT_GT(bounds.min().z(), -0.9) << variant;
   }

@@ -23,7 +23,8 @@ TEST(Seating, OfficeChairIsRoundWherePeopleSit) {
   for (const char* name : {"seat", "backrest"}) {
     for (const auto& face : find_part(scene.instances[0], name)->faces) EXPECT_FALSE(face.planar);
   }
-  for (int i = 1; i <= 5; ++i) EXPECT_NE(find_part(scene.instances[0], "castor " + std::to_string(i)), nullptr);
+  for (int i = 1; i <= 5; ++i)
+    EXPECT_NE(find_part(scene.instances[0], "castor " + std::to_string(i)), nullptr);
 }
 
 // The sitter looks to -y: the backrest is behind the seat.
@@ -36,8 +37,13 @@ TEST(Seating, BackrestsAreBehind) {
 }
 
 TEST(Seating, SofasGrowWithTheirSeats) {
-  const auto width = [](double seats) { return local_bounds(alone({"sofa", "with arms", 3, {{"seats", seats}}, 0.0}).instances[0]).sizes().x(); };
-  const double seat = alone({"sofa", "with arms", 3, {}, 0.0}).instances[0].parameters.at("seat_width");
+  const auto width = [](double seats) {
+    return local_bounds(alone({"sofa", "with arms", 3, {{"seats", seats}}, 0.0}).instances[0])
+        .sizes()
+        .x();
+  };
+  const double seat =
+      alone({"sofa", "with arms", 3, {}, 0.0}).instances[0].parameters.at("seat_width");
   EXPECT_NEAR(width(3) - width(2), seat, 1e-9);
 }
 

@@ -14,7 +14,8 @@ using testing::find_part;
 TEST(Storage, ShelfHasItsBoardsOneAboveTheOther) {
   for (const char* variant : {"open", "with sides", "with back"}) {
     for (int boards = 2; boards <= 8; ++boards) {
-      const Scene scene = alone({"shelf", variant, 4, {{"boards", 1.0 * boards}, {"spacing", 0.3}}, 0.0});
+      const Scene scene =
+          alone({"shelf", variant, 4, {{"boards", 1.0 * boards}, {"spacing", 0.3}}, 0.0});
       double last = -0.1;  // the lowest board lies 7 cm and its thickness above the floor
       for (int i = 1; i <= boards; ++i) {
         const Part* board = find_part(scene.instances[0], "board " + std::to_string(i));
@@ -46,7 +47,9 @@ TEST(Storage, CabinetDoorsShareAPlaneWithASeamBetween) {
   const Face* left = find_face(*find_part(scene.instances[0], "door 1"), "front");
   const Face* right = find_face(*find_part(scene.instances[0], "door 2"), "front");
   EXPECT_EQ(left->center.y(), right->center.y());
-  const double seam = right->center.x() - left->center.x() - 0.5 * (find_face(*find_part(scene.instances[0], "door 1"), "top")->size.x() + find_face(*find_part(scene.instances[0], "door 2"), "top")->size.x());
+  const double seam = right->center.x() - left->center.x() -
+                      0.5 * (find_face(*find_part(scene.instances[0], "door 1"), "top")->size.x() +
+                             find_face(*find_part(scene.instances[0], "door 2"), "top")->size.x());
   EXPECT_NEAR(seam, 0.006, 1e-9);
 }
 

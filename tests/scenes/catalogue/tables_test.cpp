@@ -13,7 +13,8 @@ using testing::find_part;
 
 TEST(Tables, DeskTopIsAsHighAndWideAsAsked) {
   for (const char* variant : {"four legs", "panel legs", "height-adjustable"}) {
-    const Scene scene = alone({"desk", variant, 3, {{"width", 1.6}, {"depth", 0.8}, {"height", 0.74}}, 0.0});
+    const Scene scene =
+        alone({"desk", variant, 3, {{"width", 1.6}, {"depth", 0.8}, {"height", 0.74}}, 0.0});
     const Face* top = find_face(*find_part(scene.instances[0], "top"), "top");
     EXPECT_NEAR(top->center.z(), 0.74, 1e-12) << variant;
     EXPECT_NEAR(top->area, 1.28, 1e-12) << variant;
@@ -33,7 +34,8 @@ TEST(Tables, DeskHeightsKeepToTheStandard) {
 }
 
 TEST(Tables, LShapedTopHasItsOwnArea) {
-  const Scene scene = alone({"desk", "L-shape", 1, {{"width", 1.6}, {"depth", 0.8}, {"return", 0.9}}, 0.0});
+  const Scene scene =
+      alone({"desk", "L-shape", 1, {{"width", 1.6}, {"depth", 0.8}, {"return", 0.9}}, 0.0});
   const Face* top = find_face(*find_part(scene.instances[0], "top"), "top");
   EXPECT_NEAR(top->area, 1.6 * 0.8 + 0.6 * 0.9, 1e-12);
   EXPECT_LT(top->area, 0.95 * top->size.prod());

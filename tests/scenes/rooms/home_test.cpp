@@ -43,7 +43,11 @@ TEST(HomeRooms, SofasLookAtTheTelevision) {
       if (instance.kind == "television") screen = &instance;
     }
     if (sofa == nullptr || screen == nullptr) continue;
-    EXPECT_GT((-sofa->T_world_instance.linear().col(1)).dot((screen->T_world_instance.translation() - sofa->T_world_instance.translation()).normalized()), 0.3);
+    EXPECT_GT(
+        (-sofa->T_world_instance.linear().col(1))
+            .dot((screen->T_world_instance.translation() - sofa->T_world_instance.translation())
+                     .normalized()),
+        0.3);
   }
 }
 

@@ -44,7 +44,8 @@ TEST(Rooms, WindowsKeepClearOfEachOther) {
   add_windows(scene, plan, random, Side::north, 9);
   ASSERT_GE(plan.shell.openings.size(), 2U);
   for (std::size_t i = 1; i < plan.shell.openings.size(); ++i) {
-    EXPECT_GT(plan.shell.openings[i].opening.low.x(), plan.shell.openings[i - 1].opening.high.x() + 0.1);
+    EXPECT_GT(plan.shell.openings[i].opening.low.x(),
+              plan.shell.openings[i - 1].opening.high.x() + 0.1);
   }
   build_plan(scene, plan);
   testing::expect_no_close_faces(scene, "room with windows");
@@ -57,13 +58,15 @@ TEST(Rooms, ChairsFaceTheirTable) {
   add_door(scene, plan, random, Side::south, 1.0);
   build_plan(scene, plan);
   Placer placer(scene, plan.shell, {}, random);
-  const auto table = placer.put(placer.make("table", "four legs", {{"width", 1.6}, {"depth", 0.9}}), pose_at({3, 2.5, 0}, 0.4));
+  const auto table = placer.put(placer.make("table", "four legs", {{"width", 1.6}, {"depth", 0.9}}),
+                                pose_at({3, 2.5, 0}, 0.4));
   ASSERT_TRUE(table.has_value());
   for (int side = 0; side < 4; ++side) {
     const auto chair = chair_at(placer, *table, side, 0.0, "four legs");
     ASSERT_TRUE(chair.has_value()) << side;
     const Eigen::Isometry3d& pose = scene.instances[*chair].T_world_instance;
-    const Eigen::Vector3d to = scene.instances[*table].T_world_instance.translation() - pose.translation();
+    const Eigen::Vector3d to =
+        scene.instances[*table].T_world_instance.translation() - pose.translation();
     // The sitter looks along -y of the chair.
     EXPECT_GT((-pose.linear().col(1)).dot(to.normalized()), 0.8) << side;
   }

@@ -27,13 +27,15 @@ inline std::string face_name(const Scene& scene, std::int32_t index) {
   const FaceAddress a = all_faces(scene)[static_cast<std::size_t>(index)];
   const Instance& instance = scene.instances[static_cast<std::size_t>(a.instance)];
   const Part& part = instance.parts[static_cast<std::size_t>(a.part)];
-  return instance.kind + " " + std::to_string(instance.id) + " / " + part.name + " / " + part.faces[static_cast<std::size_t>(a.face)].name;
+  return instance.kind + " " + std::to_string(instance.id) + " / " + part.name + " / " +
+         part.faces[static_cast<std::size_t>(a.face)].name;
 }
 
 inline void expect_no_close_faces(const Scene& scene, const std::string& what) {
   for (const auto& pair : close_parallel_faces(scene, 0.001)) {
-    ADD_FAILURE() << what << ": " << face_name(scene, pair.face_a) << " and " << face_name(scene, pair.face_b) << " are "
-                  << pair.distance * 1000 << " mm apart";
+    ADD_FAILURE() << what << ": " << face_name(scene, pair.face_a) << " and "
+                  << face_name(scene, pair.face_b) << " are " << pair.distance * 1000
+                  << " mm apart";
   }
 }
 

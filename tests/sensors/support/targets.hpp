@@ -11,7 +11,8 @@
 
 namespace scanchor::testing {
 
-/// One thin plate in front of the sensor at the origin: its near side crosses the x axis at `range`, turned by `incidence` about z.
+/// One thin plate in front of the sensor at the origin: its near side crosses the x axis at
+/// `range`, turned by `incidence` about z.
 inline Scene plate(double range, double incidence = 0.0, double reflectance = 0.5,
                    double side = 40.0) {
   Scene scene = empty_scene();

@@ -47,9 +47,8 @@ inline void add_room(Scene& scene, const Eigen::Vector3d& size) {
       Eigen::Vector3d center = half;
       extent[axis] = thick;
       center[axis] += side * (half[axis] + 0.5 * thick);
-      scene.instances.push_back(
-          box_instance(static_cast<std::int32_t>(scene.instances.size()) + 1, extent,
-                       at(center.x(), center.y(), center.z())));
+      scene.instances.push_back(box_instance(static_cast<std::int32_t>(scene.instances.size()) + 1,
+                                             extent, at(center.x(), center.y(), center.z())));
     }
   }
   scene.bounds = Eigen::AlignedBox3d(Eigen::Vector3d::Zero(), size);
@@ -71,7 +70,8 @@ struct BoxHit {
   double edge_distance = 0.0;  ///< [m] from the hit to the nearest edge of its box
 };
 
-/// Every instance must be one box as box_instance makes it. Slab method (Kay & Kajiya 1986) in double precision.
+/// Every instance must be one box as box_instance makes it. Slab method (Kay & Kajiya 1986) in
+/// double precision.
 inline BoxHit trace_boxes(const Scene& scene, const Ray& ray) {
   BoxHit best;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
@@ -115,8 +115,8 @@ inline Scene random_boxes(int count, std::uint64_t seed) {
   Scene scene = empty_scene();
   add_room(scene, {6, 5, 3});
   for (int i = 0; i < count; ++i) {
-    Eigen::Isometry3d pose = at(random.uniform(0.5, 5.5), random.uniform(0.5, 4.5),
-                                random.uniform(0.3, 2.7));
+    Eigen::Isometry3d pose =
+        at(random.uniform(0.5, 5.5), random.uniform(0.5, 4.5), random.uniform(0.3, 2.7));
     pose.linear() =
         Eigen::AngleAxisd(random.uniform(0, 3), random_direction(random)).toRotationMatrix();
     scene.instances.push_back(box_instance(
