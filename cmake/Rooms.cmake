@@ -19,13 +19,33 @@ if(SCANCHOR_SANITIZE)
 endif()
 set_property(GLOBAL PROPERTY SCANCHOR_ROOMS "")
 
-# Half of the time of a small translation unit is reading Eigen and the standard library. Read them once a target.
-function(scanchor_precompile target)
-  if(SCANCHOR_PRECOMPILE)
-    target_precompile_headers(${target} PRIVATE
-      <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <string> <variant> <vector>
-      <Eigen/Core> <Eigen/Geometry> ${ARGN})
+# Half of the time of a small translation unit is reading Eigen and the standard library. Read them once for all targets of one
+# kind (rooms, rooms at -O3, tests). The owner of what is precompiled has no definitions of its own: those would have to be the
+# users' as well. OPTIONS are the compiler's, HEADERS come on top of the common ones, LINKS are where they are found.
+function(scanchor_precompile target kind)
+  cmake_parse_arguments(PRECOMPILE "" "" "OPTIONS;HEADERS;LINKS" ${ARGN})
+  target_compile_options(${target} PRIVATE ${PRECOMPILE_OPTIONS})
+  if(NOT SCANCHOR_PRECOMPILE)
+    return()
   endif()
+  set(owner scanchor_precompiled_${kind})
+  if(NOT TARGET ${owner})
+    file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/precompiled/${kind}.cpp CONTENT "")
+    add_library(${owner} OBJECT ${CMAKE_BINARY_DIR}/precompiled/${kind}.cpp)
+    target_link_libraries(${owner} PRIVATE Eigen3::Eigen fmt::fmt Threads::Threads scanchor_flags scanchor_warnings
+                          ${PRECOMPILE_LINKS})
+    target_compile_options(${owner} PRIVATE ${PRECOMPILE_OPTIONS})
+    get_target_property(type ${target} TYPE)
+    if(type STREQUAL "EXECUTABLE" AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+      # Position independent as an executable is, which CMake does not give to a library.
+      set_target_properties(${owner} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+      target_compile_options(${owner} PRIVATE -fPIE)
+    endif()
+    target_precompile_headers(${owner} PRIVATE
+      <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <string> <variant> <vector>
+      <Eigen/Core> <Eigen/Geometry> ${PRECOMPILE_HEADERS})
+  endif()
+  target_precompile_headers(${target} REUSE_FROM ${owner})
 endfunction()
 
 function(scanchor_room name)
@@ -57,9 +77,10 @@ function(scanchor_room name)
   target_link_libraries(scanchor_${name} PUBLIC $<BUILD_INTERFACE:scanchor_flags>)
   target_compile_features(scanchor_${name} PUBLIC cxx_std_20)
   if(name MATCHES "^(sim|sensors|perception)$")
-    target_compile_options(scanchor_${name} PRIVATE $<$<CONFIG:Release>:-O3>)
+    scanchor_precompile(scanchor_${name} fast OPTIONS $<$<CONFIG:Release>:-O3>)
+  else()
+    scanchor_precompile(scanchor_${name} room)
   endif()
-  scanchor_precompile(scanchor_${name})
   set_property(GLOBAL APPEND PROPERTY SCANCHOR_ROOMS ${name})
 endfunction()
 
@@ -75,6 +96,9 @@ function(scanchor_command folder)
   target_link_libraries(scanchor PRIVATE ${ROOM_USES} ${ROOM_LINKS} nlohmann_json::nlohmann_json fmt::fmt
                         scanchor_warnings)
   target_compile_definitions(scanchor PRIVATE SCANCHOR_VERSION="${PROJECT_VERSION}")
-  scanchor_precompile(scanchor <CLI/CLI.hpp> <nlohmann/json.hpp> <fmt/format.h>)
+  # Reading arguments is not worth optimising.
+  scanchor_precompile(scanchor command OPTIONS $<$<CONFIG:Release>:-O1>
+                      HEADERS <CLI/CLI.hpp> <nlohmann/json.hpp> <fmt/format.h>
+                      LINKS CLI11::CLI11 nlohmann_json::nlohmann_json)
   set_target_properties(scanchor PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 endfunction()
