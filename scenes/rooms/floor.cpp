@@ -40,8 +40,8 @@ bool furnish_corridor(Placer& placer, const RoomPlan& plan) {
   }
   const std::vector<Side> sides = {Side::north, Side::south};
   if (random.chance(0.6)) {
-    if (const auto cabinet = placer.put_at_some_wall(placer.make("cabinet", "low"), sides, 0.3))
-      load_surfaces(placer, *cabinet, {"box", "book", "printer"}, 0.5 * clutter);
+    put_loaded(placer, placer.make("cabinet", "low"), sides, 0.3, {"box", "book", "printer"},
+               0.5 * clutter);
   }
   if (random.chance(0.3)) placer.put_at_some_wall(placer.make("bookcase"), sides, 0.3);
   if (random.chance(0.4))

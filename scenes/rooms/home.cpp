@@ -10,8 +10,7 @@ namespace scanchor {
 RoomPlan plan_kitchen(Scene& scene, SequentialRandom& random, const RoomOptions& options) {
   RoomPlan plan = plan_room(random, options, {3.6, 3.4}, {5.2, 4.8}, 2.4, 2.8);
   plan.shell.floor_material = random.chance(0.6) ? "tile" : "parquet";
-  const double w = side_length(plan.shell, Side::south);
-  add_door(scene, plan, random, Side::south, random.chance(0.5) ? 0.75 : w - 0.75);
+  add_door_near_corner(scene, plan, random, 0.75);
   add_windows(scene, plan, random, Side::east, 1);
   return plan;
 }
@@ -58,11 +57,9 @@ bool furnish_kitchen(Placer& placer, const RoomPlan& plan) {
         microwave =
             placer.put_somewhere_on(surface, placer.make("microwave"), 0.0, 0.08, 6).has_value();
       for (int i = 0; i < 1 + static_cast<int>(5 * clutter); ++i) {
-        placer.put_somewhere_on(
-            surface,
-            placer.make(std::vector<std::string>{"bottle", "bowl", "cup", "box"}[random.below(4)],
-                        ""),
-            0.0, 0.5, 3);
+        placer.put_somewhere_on(surface,
+                                placer.make(one_of(random, {"bottle", "bowl", "cup", "box"}), ""),
+                                0.0, 0.5, 3);
       }
     }
   }
@@ -95,8 +92,7 @@ bool furnish_kitchen(Placer& placer, const RoomPlan& plan) {
 RoomPlan plan_living(Scene& scene, SequentialRandom& random, const RoomOptions& options) {
   RoomPlan plan = plan_room(random, options, {4.4, 4.0}, {6.8, 5.6}, 2.4, 2.9);
   plan.shell.floor_material = random.chance(0.7) ? "parquet" : "carpet grey";
-  const double w = side_length(plan.shell, Side::south);
-  add_door(scene, plan, random, Side::south, random.chance(0.5) ? 0.75 : w - 0.75);
+  add_door_near_corner(scene, plan, random, 0.75);
   add_windows(scene, plan, random, Side::north, 3);
   return plan;
 }
@@ -141,8 +137,8 @@ bool furnish_living(Placer& placer, const RoomPlan& plan) {
   const std::vector<Side> walls = plan.turned({Side::west, Side::east, Side::south, Side::north});
   placer.put_at_some_wall(placer.make("bookcase", "books"), walls, 0.4);
   if (random.chance(0.5)) {
-    if (const auto shelf = placer.put_at_some_wall(placer.make("shelf", "with back"), walls, 0.4))
-      load_surfaces(placer, *shelf, {"book", "bowl", "bottle", "box"}, 0.3 + 0.5 * clutter);
+    put_loaded(placer, placer.make("shelf", "with back"), walls, 0.4,
+               {"book", "bowl", "bottle", "box"}, 0.3 + 0.5 * clutter);
   }
   if (random.chance(0.5)) {
     if (const auto table =
@@ -166,8 +162,7 @@ bool furnish_living(Placer& placer, const RoomPlan& plan) {
 RoomPlan plan_bedroom(Scene& scene, SequentialRandom& random, const RoomOptions& options) {
   RoomPlan plan = plan_room(random, options, {3.6, 3.6}, {5.0, 4.8}, 2.4, 2.8);
   plan.shell.floor_material = random.chance(0.6) ? "parquet" : "carpet blue";
-  const double w = side_length(plan.shell, Side::south);
-  add_door(scene, plan, random, Side::south, random.chance(0.5) ? 0.75 : w - 0.75);
+  add_door_near_corner(scene, plan, random, 0.75);
   add_windows(scene, plan, random, Side::north, 2);
   return plan;
 }

@@ -9,8 +9,7 @@ namespace scanchor {
 
 RoomPlan plan_office(Scene& scene, SequentialRandom& random, const RoomOptions& options) {
   RoomPlan plan = plan_room(random, options, {4.2, 3.8}, {6.2, 5.2}, 2.5, 3.0);
-  const double w = side_length(plan.shell, Side::south);
-  add_door(scene, plan, random, Side::south, random.chance(0.5) ? 0.8 : w - 0.8);
+  add_door_near_corner(scene, plan, random, 0.8);
   add_windows(scene, plan, random, Side::north, 3);
   return plan;
 }
@@ -79,8 +78,7 @@ bool furnish_open_plan(Placer& placer, const RoomPlan& plan) {
   }
   // Islands: two desks back to back, side by side in rows that run from the windows into the room.
   const double width = std::vector<double>{1.4, 1.6, 1.6}[random.below(3)];
-  const std::string variant =
-      std::vector<std::string>{"four legs", "panel legs", "height-adjustable"}[random.below(3)];
+  const std::string variant = one_of(random, {"four legs", "panel legs", "height-adjustable"});
   const double pitch = width + 0.06;
   const int per_row = std::min(3, static_cast<int>((size.x() - 2.4) / pitch));
   const int rows = std::max(1, static_cast<int>((size.y() - 1.4) / 3.6));
@@ -109,11 +107,11 @@ bool furnish_open_plan(Placer& placer, const RoomPlan& plan) {
   if (desks < 2) return false;
   const std::vector<Side> walls = plan.turned({Side::east, Side::south, Side::west});
   for (int i = 0; i < 3; ++i) {
-    if (const auto cabinet = placer.put_at_some_wall(placer.make("cabinet"), walls, 0.5))
-      load_surfaces(placer, *cabinet, {"box", "book", "printer"}, 0.5 * clutter);
+    put_loaded(placer, placer.make("cabinet"), walls, 0.5, {"box", "book", "printer"},
+               0.5 * clutter);
   }
-  if (const auto shelf = placer.put_at_some_wall(placer.make("shelf"), walls, 0.5))
-    load_surfaces(placer, *shelf, {"box", "book", "book"}, 0.3 + 0.5 * clutter);
+  put_loaded(placer, placer.make("shelf"), walls, 0.5, {"box", "book", "book"},
+             0.3 + 0.5 * clutter);
   if (random.chance(0.6)) placer.put_somewhere(placer.make("whiteboard", "on stand"));
   hang_up(placer, "whiteboard", "with tray", walls, 0.95);
   ceiling_lamps(placer, 3);
@@ -125,8 +123,7 @@ bool furnish_open_plan(Placer& placer, const RoomPlan& plan) {
 
 RoomPlan plan_meeting(Scene& scene, SequentialRandom& random, const RoomOptions& options) {
   RoomPlan plan = plan_room(random, options, {5.0, 4.0}, {8.0, 5.5}, 2.6, 3.2);
-  const double w = side_length(plan.shell, Side::south);
-  add_door(scene, plan, random, Side::south, random.chance(0.5) ? 0.8 : w - 0.8);
+  add_door_near_corner(scene, plan, random, 0.8);
   add_windows(scene, plan, random, Side::north, 3);
   return plan;
 }
@@ -143,11 +140,10 @@ bool furnish_meeting(Placer& placer, const RoomPlan& plan) {
   for (const double w : {1.6, 2.0, 2.4, 2.8, 3.2, 3.6}) {
     if (w <= longest) lengths.push_back(w);
   }
-  if (lengths.empty()) return false;
+  const double depth = std::min(1.2, std::min(size.x(), size.y()) - 2.2);
+  if (lengths.empty() || depth < 0.5) return false;
   const double width = lengths[random.below(static_cast<std::uint32_t>(lengths.size()))];
-  const Instance table =
-      placer.make("meeting table", "",
-                  {{"width", width}, {"depth", std::min(1.2, std::min(size.x(), size.y()) - 2.2)}});
+  const Instance table = placer.make("meeting table", "", {{"width", width}, {"depth", depth}});
   std::optional<std::size_t> placed;
   for (int i = 0; i < 6 && !placed; ++i) {
     const Eigen::Vector2d at =
@@ -156,8 +152,7 @@ bool furnish_meeting(Placer& placer, const RoomPlan& plan) {
                         pose_at({at.x(), at.y(), 0}, (along_x ? 0.0 : 0.5 * pi) + placer.jitter()));
   }
   if (!placed) return false;
-  const std::string chair =
-      std::vector<std::string>{"cantilever", "four legs", "office star base"}[random.below(3)];
+  const std::string chair = one_of(random, {"cantilever", "four legs", "office star base"});
   const int seats = static_cast<int>(width / 0.68);
   for (const int side : {0, 2}) {
     for (int i = 0; i < seats; ++i) {
@@ -176,14 +171,12 @@ bool furnish_meeting(Placer& placer, const RoomPlan& plan) {
     hang_up(placer, "whiteboard", "with tray", heads, 0.9);
   }
   if (random.chance(0.5)) placer.put_somewhere(placer.make("whiteboard", "on stand"));
-  if (const auto side = placer.put_at_some_wall(
-          placer.make("cabinet", "low"), plan.turned({Side::east, Side::west, Side::south}), 0.4)) {
-    load_surfaces(placer, *side, {"bottle", "cup", "bowl", "box"}, 0.3 + 0.5 * clutter);
-  }
+  put_loaded(placer, placer.make("cabinet", "low"),
+             plan.turned({Side::east, Side::west, Side::south}), 0.4,
+             {"bottle", "cup", "bowl", "box"}, 0.3 + 0.5 * clutter);
   for (const auto& surface : placer.surfaces(*placed)) {
     for (int i = 0; i < 1 + static_cast<int>(8 * clutter); ++i) {
-      const std::string kind =
-          std::vector<std::string>{"laptop", "cup", "bottle", "book", "bowl"}[random.below(5)];
+      const std::string kind = one_of(random, {"laptop", "cup", "bottle", "book", "bowl"});
       placer.put_somewhere_on(surface, placer.make(kind), random.chance(0.5) ? 0.0 : pi, 0.3, 3);
     }
   }

@@ -10,11 +10,11 @@ namespace {
 
 double to_mm(double v) { return std::floor(v * 1000.0 + 0.5) / 1000.0; }
 
-const std::string& one_of(SequentialRandom& random, const std::vector<std::string>& words) {
+}  // namespace
+
+std::string one_of(SequentialRandom& random, const std::vector<std::string>& words) {
   return words[random.below(static_cast<std::uint32_t>(words.size()))];
 }
-
-}  // namespace
 
 RoomPlan plan_room(SequentialRandom& random, const RoomOptions& options,
                    const Eigen::Vector2d& least, const Eigen::Vector2d& most, double height_low,
@@ -50,6 +50,12 @@ void add_door(Scene& scene, RoomPlan& plan, SequentialRandom& random, Side side,
   plan.entrances.push_back((frame * Eigen::Vector3d(0, -0.55, 0)).head<2>());
   plan.door_frames.push_back(frame);
   plan.door_widths.push_back(width);
+}
+
+void add_door_near_corner(Scene& scene, RoomPlan& plan, SequentialRandom& random, double inset) {
+  const bool left = random.chance(0.5);
+  add_door(scene, plan, random, Side::south,
+           left ? inset : side_length(plan.shell, Side::south) - inset);
 }
 
 void add_windows(Scene& scene, RoomPlan& plan, SequentialRandom& random, Side side, int count) {
@@ -240,16 +246,24 @@ void load_surfaces(Placer& placer, std::size_t thing, const std::vector<std::str
     const int places = std::max(1, static_cast<int>(room / 0.08));
     for (int i = 0; i < std::min(places, 6); ++i) {
       if (!random.chance(share)) continue;
-      const std::string& kind = one_of(random, kinds);
+      const std::string kind = one_of(random, kinds);
       placer.put_somewhere_on(surface, placer.make(kind, kind == "monitor" ? "stand" : ""), 0.0,
                               kind == "box" ? 0.2 : 0.5, 3);
     }
   }
 }
 
+std::optional<std::size_t> put_loaded(Placer& placer, const Instance& thing,
+                                      const std::vector<Side>& sides, double use,
+                                      const std::vector<std::string>& kinds, double share) {
+  const auto placed = placer.put_at_some_wall(thing, sides, use);
+  if (placed) load_surfaces(placer, *placed, kinds, share);
+  return placed;
+}
+
 void litter(Placer& placer, const std::vector<std::string>& kinds, int count) {
   for (int i = 0; i < count; ++i) {
-    const std::string& kind = one_of(placer.random(), kinds);
+    const std::string kind = one_of(placer.random(), kinds);
     const Instance thing = placer.make(kind);
     // Things end up along the walls more often than in the middle.
     if (placer.random().chance(0.7)) {
@@ -321,61 +335,6 @@ bool walkable(const Placer& placer, const RoomPlan& plan) {
       return false;
   }
   return grid.reachable_share() >= 0.85;
-}
-
-void add_sensor_poses(Placer& placer, const RoomPlan& plan, int count) {
-  auto& random = placer.random();
-  Scene& scene = placer.scene();
-  const Eigen::AlignedBox2d room(plan.shell.low, plan.shell.high);
-  const FloorGrid grid = walkable_floor(scene, room, 0.3, plan.entrances.front());
-  const Eigen::Vector2d middle = room.center();
-  // The first near the door, the others near corners.
-  std::vector<Eigen::Vector2d> wishes = {plan.entrances.front()};
-  for (int corner = 0; corner < 4; ++corner) {
-    const Eigen::Vector2d c((corner & 1) != 0 ? room.max().x() - 0.7 : room.min().x() + 0.7,
-                            (corner & 2) != 0 ? room.max().y() - 0.7 : room.min().y() + 0.7);
-    if ((c - wishes[0]).norm() > 1.5) wishes.push_back(c);
-  }
-  // Doors are no obstacle to walking, but a leaf in front of the scanner is one to looking.
-  std::vector<OrientedBox> doors;
-  for (const auto& instance : scene.instances) {
-    if (instance.kind != "door") continue;
-    for (const auto& box : part_boxes(instance)) doors.push_back(box);
-  }
-  const auto at_door = [&](const Eigen::Vector2d& p) {
-    const OrientedBox body{{p.x(), p.y(), 1.3}, Eigen::Matrix3d::Identity(), {0.3, 0.3, 0.4}};
-    return std::any_of(doors.begin(), doors.end(),
-                       [&](const OrientedBox& box) { return boxes_near(body, box, 0.0); });
-  };
-  const bool joined = grid.reachable_share() > 0;
-  int added = 0;
-  for (const auto& wish : wishes) {
-    if (added >= count) break;
-    double best = std::numeric_limits<double>::infinity();
-    Eigen::Vector2d place = wish;
-    for (int y = 0; y < grid.ny; ++y) {
-      for (int x = 0; x < grid.nx; ++x) {
-        if (grid.free[grid.index(x, y)] == 0) continue;
-        if (joined && grid.reachable[grid.index(x, y)] == 0) continue;
-        const Eigen::Vector2d p = grid.low + grid.cell * Eigen::Vector2d(x + 0.5, y + 0.5);
-        const double d = (p - wish).squaredNorm();
-        if (d < best && !at_door(p)) {
-          best = d;
-          place = p;
-        }
-      }
-    }
-    const double height = to_mm(random.uniform(1.2, 1.5));
-    const Eigen::Vector2d look =
-        middle + Eigen::Vector2d(random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4)) - place;
-    if (best > 1.5 * 1.5 || look.norm() < 0.2) continue;
-    const Eigen::Vector2d x = look.normalized();
-    Eigen::Isometry3d pose = pose_at({to_mm(place.x()), to_mm(place.y()), height});
-    pose.linear().col(0) = Eigen::Vector3d(x.x(), x.y(), 0);
-    pose.linear().col(1) = Eigen::Vector3d(-x.y(), x.x(), 0);
-    scene.sensor_poses.push_back(pose);
-    ++added;
-  }
 }
 
 }  // namespace scanchor

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scenes/collide.hpp"
 #include "scenes/placer.hpp"
 
 namespace scanchor {
@@ -31,6 +32,8 @@ struct RoomPlan {
   }
 };
 
+/// One of several words, all as likely.
+std::string one_of(SequentialRandom& random, const std::vector<std::string>& words);
 /// A rectangle of the usual sides, scaled by the options, with materials drawn.
 RoomPlan plan_room(SequentialRandom& random, const RoomOptions& options,
                    const Eigen::Vector2d& least, const Eigen::Vector2d& most, double height_low,
@@ -39,6 +42,8 @@ RoomPlan plan_room(SequentialRandom& random, const RoomOptions& options,
 /// from the room.
 void add_door(Scene& scene, RoomPlan& plan, SequentialRandom& random, Side side, double along,
               const std::string& variant = "", bool outwards = false);
+/// The way in, `inset` [m] from the left or right end of the southern side.
+void add_door_near_corner(Scene& scene, RoomPlan& plan, SequentialRandom& random, double inset);
 /// As many windows as fit a side evenly, at most `count`.
 void add_windows(Scene& scene, RoomPlan& plan, SequentialRandom& random, Side side, int count);
 /// Adds shell and fittings to the scene.
@@ -59,6 +64,11 @@ std::optional<std::size_t> chair_at(Placer& placer, std::size_t table, int side,
 /// Fills surfaces of a thing with loose things of these kinds, `share` of the places.
 void load_surfaces(Placer& placer, std::size_t thing, const std::vector<std::string>& kinds,
                    double share);
+/// A thing at some wall with `use` [m] of free floor in front of it and loose things of these kinds
+/// on it. Nothing where it does not fit.
+std::optional<std::size_t> put_loaded(Placer& placer, const Instance& thing,
+                                      const std::vector<Side>& sides, double use,
+                                      const std::vector<std::string>& kinds, double share);
 /// Loose things on the floor.
 void litter(Placer& placer, const std::vector<std::string>& kinds, int count);
 /// Pictures, whiteboards, televisions on free stretches of wall.
@@ -102,8 +112,14 @@ bool build_floor(Scene& scene, SequentialRandom& random, const RoomOptions& opti
 /// Whether one can walk from the first entrance to the others and to every chair, and at least 85 %
 /// of the free floor is joined.
 bool walkable(const Placer& placer, const RoomPlan& plan);
+/// Share [0, 1] of the solid angle of a view, 180 degrees wide and 90 degrees high about the unit
+/// direction `look`, in which a box is nearer than `range` [m].
+double blocked_view(const std::vector<OrientedBox>& boxes, const Eigen::Vector3d& from,
+                    const Eigen::Vector2d& look, double range);
+
 /// Two or three places at 1.2 .. 1.5 m over reachable floor that look into the room, the first near
-/// the door.
+/// the door. Each is the place nearest to the wished one at which hardly anything stands within a
+/// metre of the scanner: a door leaf there would take half of the rays.
 void add_sensor_poses(Placer& placer, const RoomPlan& plan, int count);
 
 }  // namespace scanchor

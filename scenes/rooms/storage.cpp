@@ -43,8 +43,8 @@ bool furnish_laboratory(Placer& placer, const RoomPlan& plan) {
   placer.put(placer.make("stool", "laboratory"),
              base * pose_at({random.uniform(-0.4, 0.4), -0.4 - pull, 0}), false);
   if (random.chance(0.6)) {
-    if (const auto second = placer.put_at_some_wall(placer.make("workbench"), walls, 0.8))
-      load_surfaces(placer, *second, {"box", "bottle", "printer"}, 0.5 * clutter);
+    put_loaded(placer, placer.make("workbench"), walls, 0.8, {"box", "bottle", "printer"},
+               0.5 * clutter);
   }
   // An island in the middle: a table with things on it.
   if (random.chance(0.7)) {
@@ -59,8 +59,7 @@ bool furnish_laboratory(Placer& placer, const RoomPlan& plan) {
       chair_at(placer, *table, 0, 0.0);
     }
   }
-  if (const auto cabinet = placer.put_at_some_wall(placer.make("cabinet", "tall"), walls, 0.5))
-    load_surfaces(placer, *cabinet, {"box"}, 0.4);
+  put_loaded(placer, placer.make("cabinet", "tall"), walls, 0.5, {"box"}, 0.4);
   workplace(placer, plan.turned({Side::north, Side::east, Side::west}),
             1 + static_cast<int>(random.below(2)));
   if (random.chance(0.6)) placer.put_somewhere(placer.make("trolley"));

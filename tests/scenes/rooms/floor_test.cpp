@@ -1,25 +1,15 @@
 #include <gtest/gtest.h>
 
-#include <map>
-
 #include "scenes/generator.hpp"
-#include "scenes/relations.hpp"
+#include "tests/scenes/support/scene_checks.hpp"
 
 namespace scanchor {
 namespace {
 
-std::map<std::string, int> kinds(const std::string& family, std::uint64_t seeds) {
-  std::map<std::string, int> count;
-  RoomOptions options;
-  options.family = family;
-  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-    for (const auto& instance : generate_room(options, seed).instances) ++count[instance.kind];
-  }
-  return count;
-}
+using testing::kinds_in;
 
 TEST(Floors, CorridorsHaveDoorsOnBothSides) {
-  auto count = kinds("corridor", 10);
+  auto count = kinds_in("corridor", 10);
   EXPECT_GE(count["door"], 50);
 }
 

@@ -1,25 +1,15 @@
 #include <gtest/gtest.h>
 
-#include <map>
-
 #include "scenes/generator.hpp"
-#include "scenes/relations.hpp"
+#include "tests/scenes/support/scene_checks.hpp"
 
 namespace scanchor {
 namespace {
 
-std::map<std::string, int> kinds(const std::string& family, std::uint64_t seeds) {
-  std::map<std::string, int> count;
-  RoomOptions options;
-  options.family = family;
-  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-    for (const auto& instance : generate_room(options, seed).instances) ++count[instance.kind];
-  }
-  return count;
-}
+using testing::kinds_in;
 
 TEST(HomeRooms, KitchensHaveARunOfUnits) {
-  auto count = kinds("kitchen", 10);
+  auto count = kinds_in("kitchen", 10);
   EXPECT_EQ(count["refrigerator"], 10);
   EXPECT_EQ(count["sink counter"], 10);
   EXPECT_EQ(count["oven"], 10);
@@ -28,7 +18,7 @@ TEST(HomeRooms, KitchensHaveARunOfUnits) {
 }
 
 TEST(HomeRooms, SofasLookAtTheTelevision) {
-  auto count = kinds("living room", 10);
+  auto count = kinds_in("living room", 10);
   EXPECT_GE(count["sofa"], 10);
   EXPECT_GE(count["television"], 7);
   EXPECT_GE(count["coffee table"], 7);
@@ -52,7 +42,7 @@ TEST(HomeRooms, SofasLookAtTheTelevision) {
 }
 
 TEST(HomeRooms, BedroomsHaveABedAndAWardrobe) {
-  auto count = kinds("bedroom", 10);
+  auto count = kinds_in("bedroom", 10);
   EXPECT_EQ(count["bed"], 10);
   EXPECT_EQ(count["wardrobe"], 10);
 }

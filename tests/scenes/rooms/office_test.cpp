@@ -1,25 +1,16 @@
 #include <gtest/gtest.h>
 
-#include <map>
-
 #include "scenes/generator.hpp"
 #include "scenes/relations.hpp"
+#include "tests/scenes/support/scene_checks.hpp"
 
 namespace scanchor {
 namespace {
 
-std::map<std::string, int> kinds(const std::string& family, std::uint64_t seeds) {
-  std::map<std::string, int> count;
-  RoomOptions options;
-  options.family = family;
-  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-    for (const auto& instance : generate_room(options, seed).instances) ++count[instance.kind];
-  }
-  return count;
-}
+using testing::kinds_in;
 
 TEST(OfficeRooms, OpenPlansHaveManyWorkplaces) {
-  auto count = kinds("open-plan office", 10);
+  auto count = kinds_in("open-plan office", 10);
   EXPECT_GE(count["desk"], 30);
   EXPECT_GE(count["monitor"], count["desk"]);
   EXPECT_GE(count["chair"], count["desk"] / 2);
@@ -27,7 +18,7 @@ TEST(OfficeRooms, OpenPlansHaveManyWorkplaces) {
 }
 
 TEST(OfficeRooms, MeetingsHaveOneTableAndChairsAround) {
-  auto count = kinds("meeting room", 10);
+  auto count = kinds_in("meeting room", 10);
   EXPECT_EQ(count["meeting table"], 10);
   EXPECT_GE(count["chair"], 40);
   EXPECT_GE(count["television"] + count["whiteboard"], 8);
