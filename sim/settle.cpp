@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <mutex>
 
 namespace scanchor {
 namespace {
@@ -38,6 +39,20 @@ Eigen::Isometry3d from_bullet(const btTransform& transform) {
   T.translation() = Eigen::Vector3d(p.x(), p.y(), p.z());
   return T;
 }
+
+/// A shape whose bounds reach a little farther than it does. Bullet forgets the contacts of a piece
+/// of a thing as soon as the bounds part: a lamp that lay a micrometre above a desk would have none
+/// in one step and a single new one in the next, and would tremble for ever.
+template <class Shape>
+struct Padded : Shape {
+  using Shape::Shape;
+  void getAabb(const btTransform& t, btVector3& low, btVector3& high) const override {
+    Shape::getAabb(t, low, high);
+    const btVector3 pad(btScalar(0.002), btScalar(0.002), btScalar(0.002));
+    low -= pad;
+    high += pad;
+  }
+};
 
 /// Whether the part's vertices are the corners of a box along its axes.
 bool is_box(const Part& part, const Eigen::AlignedBox3d& box) {
@@ -74,6 +89,14 @@ Bulk bulk(const Part& part) {
   return sum;
 }
 
+/// Bullet lets what is slow sleep after two seconds, a constant of the whole program; in the time
+/// that a room takes to settle nothing would. What lies still for a tenth of a second sleeps, and
+/// is woken by what bumps into it.
+void sleep_early() {
+  static std::once_flag once;
+  std::call_once(once, [] { gDeactivationTime = btScalar(0.1); });
+}
+
 /// Everything Bullet needs, in an order of destruction that suits it: the world first, shapes last.
 class Settling {
  public:
@@ -88,17 +111,20 @@ class Settling {
     std::size_t instance;
     btRigidBody* body;
     Eigen::Isometry3d T_instance_body;  // the body's origin is its centre of mass
-    double radius;  // [m] of the farthest corner, to weigh turning against moving
-    bool supported = false;
+    double radius;                   // [m] of the farthest corner, to weigh turning against moving
+    btTransform before{};            // where it was when it was last looked at
+    double speed = 0.0;              // [m/s] mean since then
+    int awake = 0, carried = -1000;  // the last steps when it was awake, when something carried it
   };
   btCollisionShape* own(std::unique_ptr<btCollisionShape> shape);
   btCollisionShape* convex_shape(const Part& part, Eigen::Isometry3d& T_part_shape);
   btCollisionShape* triangle_shape(const Part& part);
   void add_fixed(const Instance& instance, const Eigen::AlignedBox3d& reach);
   void add_loose(std::size_t index);
-  [[nodiscard]] double speed(const Loose& thing) const;
+  [[nodiscard]] bool all_rest(double seconds);
   [[nodiscard]] std::string name(const Loose& thing) const;
-  void read_contacts(SettleReport& report);
+  [[nodiscard]] double deepest_penetration();
+  void note_support(int step);
 
   Scene& scene_;
   const SettleOptions& options_;
@@ -123,6 +149,8 @@ Eigen::AlignedBox3d instance_box(const Instance& instance) {
 }
 
 Settling::Settling(Scene& scene, const SettleOptions& options) : scene_(scene), options_(options) {
+  sleep_early();
+  world_.setForceUpdateAllAabbs(false);
   world_.setGravity(btVector3(0, 0, btScalar(-9.81)));
   // Bullet chooses a solver with fused multiply-add where the processor has it; the scalar one is
   // the same everywhere.
@@ -174,7 +202,7 @@ btCollisionShape* Settling::convex_shape(const Part& part, Eigen::Isometry3d& T_
   T_part_shape = Eigen::Isometry3d::Identity();
   if (is_box(part, box)) {
     T_part_shape.translation() = box.center();
-    auto shape = std::make_unique<btBoxShape>(to_bullet(0.5 * box.sizes()));
+    auto shape = std::make_unique<Padded<btBoxShape>>(to_bullet(0.5 * box.sizes()));
     shape->setMargin(static_cast<btScalar>(std::min(margin, 0.2 * box.sizes().minCoeff())));
     return own(std::move(shape));
   }
@@ -187,7 +215,7 @@ btCollisionShape* Settling::convex_shape(const Part& part, Eigen::Isometry3d& T_
   const btScalar shrunk =
       hull.compute(points.data(), 3 * sizeof(float), static_cast<int>(part.vertices.size()),
                    static_cast<btScalar>(margin), btScalar(0.4));
-  auto shape = std::make_unique<btConvexHullShape>();
+  auto shape = std::make_unique<Padded<btConvexHullShape>>();
   for (int i = 0; i < hull.vertices.size(); ++i) shape->addPoint(hull.vertices[i], false);
   shape->recalcLocalAabb();
   shape->setMargin(std::max(shrunk, btScalar(1e-5)));
@@ -223,6 +251,8 @@ void Settling::add_fixed(const Instance& instance, const Eigen::AlignedBox3d& re
     object->setCollisionFlags(btCollisionObject::CF_STATIC_OBJECT);
     world_.addCollisionObject(object.get(), btBroadphaseProxy::StaticFilter,
                               btBroadphaseProxy::AllFilter ^ btBroadphaseProxy::StaticFilter);
+    // What is fixed sleeps: its bounds are not worked out anew in every step.
+    object->forceActivationState(ISLAND_SLEEPING);
     objects_.push_back(std::move(object));
   }
 }
@@ -236,7 +266,7 @@ void Settling::add_loose(std::size_t index) {
     total.moment +=
         part.T_instance_part * one.moment + (one.volume - 1.0) * part.T_instance_part.translation();
   }
-  Loose thing{index, nullptr, Eigen::Isometry3d::Identity(), 0.0, false};
+  Loose thing{index, nullptr, Eigen::Isometry3d::Identity(), 0.0, {}};
   Eigen::AlignedBox3d box;
   for (const Part& part : instance.parts) {
     for (const auto& v : part.vertices) box.extend(part.T_instance_part * v);
@@ -272,15 +302,26 @@ void Settling::add_loose(std::size_t index) {
   body->setSleepingThresholds(btScalar(0.5 * options_.rest_speed),
                               btScalar(0.5 * options_.rest_speed / std::max(thing.radius, 0.01)));
   thing.body = body.get();
+  thing.before = info.m_startWorldTransform;
+  body->setUserIndex(static_cast<int>(loose_.size()));
   world_.addRigidBody(body.get());
   objects_.push_back(std::move(body));
   loose_.push_back(thing);
 }
 
-double Settling::speed(const Loose& thing) const {
-  if (!thing.body->isActive()) return 0.0;
-  return thing.body->getLinearVelocity().length() +
-         thing.radius * thing.body->getAngularVelocity().length();
+/// Looks at all things, `seconds` after the last time. What trembles on the spot is at rest: its
+/// mean speed counts, not the speed of one step.
+bool Settling::all_rest(double seconds) {
+  bool rest = true;
+  for (Loose& thing : loose_) {
+    const btTransform& now = thing.body->getWorldTransform();
+    const double turned = now.getRotation().angleShortestPath(thing.before.getRotation());
+    const double moved = (now.getOrigin() - thing.before.getOrigin()).length();
+    thing.speed = (moved + thing.radius * turned) / seconds;
+    thing.before = now;
+    rest = rest && thing.speed < options_.rest_speed;
+  }
+  return rest;
 }
 
 std::string Settling::name(const Loose& thing) const {
@@ -288,21 +329,35 @@ std::string Settling::name(const Loose& thing) const {
   return fmt::format("{} {}", instance.kind.empty() ? "instance" : instance.kind, instance.id);
 }
 
-void Settling::read_contacts(SettleReport& report) {
+/// Deepest overlap of any two things where they are now.
+double Settling::deepest_penetration() {
+  for (const Loose& thing : loose_) thing.body->forceActivationState(ACTIVE_TAG);
+  world_.performDiscreteCollisionDetection();
+  double deepest = 0.0;
+  for (int m = 0; m < dispatcher_.getNumManifolds(); ++m) {
+    const btPersistentManifold* manifold = dispatcher_.getManifoldByIndexInternal(m);
+    for (int p = 0; p < manifold->getNumContacts(); ++p)
+      deepest = std::max(deepest, -double(manifold->getContactPoint(p).getDistance()));
+  }
+  return deepest;
+}
+
+/// Notes who lies on something in this step. Contacts come and go (a box a micrometre above another
+/// has none), so what counts is the last time that a thing had one while it was awake.
+void Settling::note_support(int step) {
+  for (Loose& thing : loose_) {
+    if (thing.body->isActive()) thing.awake = step;
+  }
   for (int m = 0; m < dispatcher_.getNumManifolds(); ++m) {
     const btPersistentManifold* manifold = dispatcher_.getManifoldByIndexInternal(m);
     for (int p = 0; p < manifold->getNumContacts(); ++p) {
-      const double distance = manifold->getContactPoint(p).getDistance();
-      report.deepest_penetration = std::max(report.deepest_penetration, -distance);
-      if (distance > support_gap) continue;
-      for (Loose& thing : loose_) {
-        // The normal points from body 1 to body 0: up for what lies on top.
-        const double up = manifold->getContactPoint(p).m_normalWorldOnB.z() *
-                          (manifold->getBody0() == thing.body ? 1.0 : -1.0);
-        if (manifold->getBody0() == thing.body || manifold->getBody1() == thing.body) {
-          thing.supported = thing.supported || up > 0.1;
-        }
-      }
+      const btManifoldPoint& point = manifold->getContactPoint(p);
+      if (point.getDistance() > support_gap) continue;
+      // The normal points from body 1 to body 0: up for what lies on top.
+      const double up = point.m_normalWorldOnB.z();
+      if (std::fabs(up) < 0.1) continue;
+      const int on_top = (up > 0 ? manifold->getBody0() : manifold->getBody1())->getUserIndex();
+      if (on_top >= 0) loose_[static_cast<std::size_t>(on_top)].carried = step;
     }
   }
 }
@@ -315,19 +370,17 @@ SettleReport Settling::run() {
     return report;
   }
   const int limit = static_cast<int>(std::ceil(options_.maximum_time / options_.time_step));
-  const int wanted = std::max(1, static_cast<int>(options_.rest_time / options_.time_step));
-  int quiet = 0;
+  const int look = std::max(1, static_cast<int>(options_.rest_time / options_.time_step));
   int steps = 0;
-  while (steps < limit && quiet < wanted) {
+  bool rest = false;
+  while (!rest && steps < limit) {
     world_.stepSimulation(static_cast<btScalar>(options_.time_step), 0,
                           static_cast<btScalar>(options_.time_step));
-    ++steps;
-    bool still = true;
-    for (const Loose& thing : loose_) still = still && speed(thing) < options_.rest_speed;
-    quiet = still ? quiet + 1 : 0;
+    note_support(++steps);
+    if (steps % look == 0) rest = all_rest(look * options_.time_step);
   }
   report.simulated_time = steps * options_.time_step;
-  read_contacts(report);
+  report.deepest_penetration = deepest_penetration();
 
   const bool bounded = !scene_.bounds.isEmpty();
   for (const Loose& thing : loose_) {
@@ -339,10 +392,10 @@ SettleReport Settling::run() {
                                         scene_.bounds.max() + Eigen::Vector3d::Constant(0.05))
                         .contains(center)) {
       report.problems.push_back(fmt::format("{} fell out of the room", name(thing)));
-    } else if (speed(thing) >= options_.rest_speed) {
+    } else if (!rest && thing.speed >= options_.rest_speed) {
       report.problems.push_back(
-          fmt::format("{} still moves at {:.3f} m/s", name(thing), speed(thing)));
-    } else if (!thing.supported) {
+          fmt::format("{} still moves at {:.3f} m/s", name(thing), thing.speed));
+    } else if (thing.carried < thing.awake - look) {
       report.problems.push_back(fmt::format("{} hangs in the air", name(thing)));
     }
   }
