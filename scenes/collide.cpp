@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenes/polygons.hpp"
 #include "scenes/truth.hpp"
 
 namespace scanchor {
@@ -14,32 +15,6 @@ bool is_shell(const Instance& instance) {
 
 std::string label(const Instance& instance, const Part& part) {
   return instance.kind + " " + std::to_string(instance.id) + " '" + part.name + "'";
-}
-
-double cross2(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-/// Cuts a convex polygon with the half plane to the left of a -> b (Sutherland and Hodgman 1974).
-void clip(std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d& a,
-          const Eigen::Vector2d& b) {
-  std::vector<Eigen::Vector2d> result;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Eigen::Vector2d& p = polygon[i];
-    const Eigen::Vector2d& q = polygon[(i + 1) % polygon.size()];
-    const double dp = cross2(b - a, p - a);
-    const double dq = cross2(b - a, q - a);
-    if (dp >= 0) result.push_back(p);
-    if ((dp > 0 && dq < 0) || (dp < 0 && dq > 0)) result.push_back(p + (dp / (dp - dq)) * (q - p));
-  }
-  polygon = std::move(result);
-}
-
-double polygon_area(const std::vector<Eigen::Vector2d>& polygon) {
-  double twice = 0.0;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    twice += cross2(polygon[i], polygon[(i + 1) % polygon.size()]);
-  return 0.5 * twice;
 }
 
 struct WorldTriangle {
@@ -170,11 +145,11 @@ std::vector<ClosePair> close_parallel_faces(const Scene& scene, double distance)
       const auto flat = [&](const Eigen::Vector3d& p) {
         return Eigen::Vector2d(u.dot(p - a.p[0]), v.dot(p - a.p[0]));
       };
-      std::vector<Eigen::Vector2d> overlap = {flat(b.p[0]), flat(b.p[1]), flat(b.p[2])};
+      Ring2 overlap = {flat(b.p[0]), flat(b.p[1]), flat(b.p[2])};
       for (int k = 0; k < 3 && !overlap.empty(); ++k)
         clip(overlap, flat(a.p[k]), flat(a.p[(k + 1) % 3]));
       // Neighbours share an edge: rounding makes slivers of them.
-      if (overlap.size() < 3 || std::abs(polygon_area(overlap)) < 1e-8) continue;
+      if (overlap.size() < 3 || std::abs(area_of(overlap)) < 1e-8) continue;
       double low = std::numeric_limits<double>::infinity();
       double high = -low;
       for (const auto& q : overlap) {
@@ -218,8 +193,7 @@ bool FloorGrid::reachable_near(const Eigen::Vector2d& p, double distance) const 
   for (int y = cy - reach; y <= cy + reach; ++y) {
     for (int x = cx - reach; x <= cx + reach; ++x) {
       if (!inside(x, y) || reachable[index(x, y)] == 0) continue;
-      const Eigen::Vector2d c = low + cell * Eigen::Vector2d(x + 0.5, y + 0.5);
-      if ((c - p).squaredNorm() <= distance * distance) return true;
+      if ((center(x, y) - p).squaredNorm() <= distance * distance) return true;
     }
   }
   return false;
@@ -231,6 +205,53 @@ double FloorGrid::reachable_share() const {
   return free_cells == 0 ? 0.0 : static_cast<double>(reached) / static_cast<double>(free_cells);
 }
 
+namespace {
+
+/// Takes the cells nearer than `radius` to a box's shadow on the floor out of the free ones. The
+/// shadow with its rim is convex: in each row only the ends of the blocked stretch are looked for.
+void block(FloorGrid& grid, const OrientedBox& box, const Eigen::AlignedBox3d& bounds,
+           double radius) {
+  const auto cell_of = [&](double at, double low) {
+    return static_cast<int>(std::floor((at - low) / grid.cell));
+  };
+  const int x0 = std::max(0, cell_of(bounds.min().x() - radius, grid.low.x()));
+  const int x1 = std::min(grid.nx - 1, cell_of(bounds.max().x() + radius, grid.low.x()));
+  const int y0 = std::max(0, cell_of(bounds.min().y() - radius, grid.low.y()));
+  const int y1 = std::min(grid.ny - 1, cell_of(bounds.max().y() + radius, grid.low.y()));
+  if (x0 > x1 || y0 > y1) return;
+  Ring2 shadow;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Eigen::Vector3d sign((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1,
+                               (corner & 4) != 0 ? 1 : -1);
+    shadow.push_back((box.center + box.axes * sign.cwiseProduct(box.half)).head<2>());
+  }
+  shadow = convex_hull(std::move(shadow));
+  const auto blocked = [&](int x, int y) {
+    const Eigen::Vector2d p = grid.center(x, y);
+    double nearest = std::numeric_limits<double>::infinity();
+    bool within = shadow.size() >= 3;
+    for (std::size_t i = 0; i < shadow.size(); ++i) {
+      const Eigen::Vector2d& a = shadow[i];
+      const Eigen::Vector2d d = shadow[(i + 1) % shadow.size()] - a;
+      within = within && cross2(d, p - a) >= 0;
+      const double t = std::clamp(d.dot(p - a) / std::max(1e-12, d.squaredNorm()), 0.0, 1.0);
+      nearest = std::min(nearest, (a + t * d - p).squaredNorm());
+    }
+    return within || nearest < radius * radius;
+  };
+  for (int y = y0; y <= y1; ++y) {
+    int first = x0;
+    while (first <= x1 && !blocked(first, y)) ++first;
+    if (first > x1) continue;
+    int last = x1;
+    while (last > first && !blocked(last, y)) --last;
+    std::fill(grid.free.begin() + static_cast<std::ptrdiff_t>(grid.index(first, y)),
+              grid.free.begin() + static_cast<std::ptrdiff_t>(grid.index(last, y)) + 1, 0);
+  }
+}
+
+}  // namespace
+
 FloorGrid walkable_floor(const Scene& scene, const Eigen::AlignedBox2d& room, double radius,
                          const Eigen::Vector2d& start) {
   FloorGrid grid;
@@ -240,55 +261,17 @@ FloorGrid walkable_floor(const Scene& scene, const Eigen::AlignedBox2d& room, do
   const auto cells = static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny);
   grid.free.assign(cells, 1);
   grid.reachable.assign(cells, 0);
-  const auto center = [&](int x, int y) {
-    return Eigen::Vector2d(grid.low + grid.cell * Eigen::Vector2d(x + 0.5, y + 0.5));
-  };
   for (const auto& instance : scene.instances) {
     if (is_shell(instance) || instance.kind == "door") continue;
     for (const auto& box : part_boxes(instance)) {
       const Eigen::AlignedBox3d bounds = bounds_of(box);
-      if (bounds.max().z() < 0.03 || bounds.min().z() > 1.9) continue;
-      // Footprint: the shadow of the box on the floor, a convex polygon.
-      std::vector<Eigen::Vector2d> shadow;
-      for (int corner = 0; corner < 8; ++corner) {
-        const Eigen::Vector3d sign((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1,
-                                   (corner & 4) != 0 ? 1 : -1);
-        shadow.push_back((box.center + box.axes * sign.cwiseProduct(box.half)).head<2>());
-      }
-      shadow = convex_hull(shadow);
-      const int x0 = std::max(
-          0, static_cast<int>(std::floor((bounds.min().x() - radius - grid.low.x()) / grid.cell)));
-      const int x1 = std::min(
-          grid.nx - 1,
-          static_cast<int>(std::floor((bounds.max().x() + radius - grid.low.x()) / grid.cell)));
-      const int y0 = std::max(
-          0, static_cast<int>(std::floor((bounds.min().y() - radius - grid.low.y()) / grid.cell)));
-      const int y1 = std::min(
-          grid.ny - 1,
-          static_cast<int>(std::floor((bounds.max().y() + radius - grid.low.y()) / grid.cell)));
-      for (int y = y0; y <= y1; ++y) {
-        for (int x = x0; x <= x1; ++x) {
-          auto& cell = grid.free[grid.index(x, y)];
-          if (cell == 0) continue;
-          const Eigen::Vector2d p = center(x, y);
-          double nearest = std::numeric_limits<double>::infinity();
-          bool within = shadow.size() >= 3;
-          for (std::size_t i = 0; i < shadow.size(); ++i) {
-            const Eigen::Vector2d& a = shadow[i];
-            const Eigen::Vector2d d = shadow[(i + 1) % shadow.size()] - a;
-            within = within && cross2(d, p - a) >= 0;
-            const double t = std::clamp(d.dot(p - a) / std::max(1e-12, d.squaredNorm()), 0.0, 1.0);
-            nearest = std::min(nearest, (a + t * d - p).squaredNorm());
-          }
-          if (within || nearest < radius * radius) cell = 0;
-        }
-      }
+      if (bounds.max().z() >= 0.03 && bounds.min().z() <= 1.9) block(grid, box, bounds, radius);
     }
   }
   // Walls count too.
   for (int y = 0; y < grid.ny; ++y) {
     for (int x = 0; x < grid.nx; ++x) {
-      const Eigen::Vector2d p = center(x, y);
+      const Eigen::Vector2d p = grid.center(x, y);
       if ((p - room.min()).minCoeff() < radius || (room.max() - p).minCoeff() < radius)
         grid.free[grid.index(x, y)] = 0;
     }

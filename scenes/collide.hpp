@@ -51,6 +51,10 @@ struct FloorGrid {
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x);
   }
+  /// [m] middle of a cell.
+  [[nodiscard]] Eigen::Vector2d center(int x, int y) const {
+    return low + cell * Eigen::Vector2d(x + 0.5, y + 0.5);
+  }
   [[nodiscard]] bool is_free(const Eigen::Vector2d& p) const;
   [[nodiscard]] bool is_reachable(const Eigen::Vector2d& p) const;
   /// Whether a reachable cell lies within `distance` [m] of a place.

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
+#include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -64,7 +65,8 @@ struct RelationTolerances {
   double cone_deg = 45.0;  ///< half angle of left, right, front, behind
 };
 
-/// Something that relations hold between: a planar face or a whole thing.
+/// Something that relations hold between: a planar face or a whole thing, made for the tolerances
+/// that it is then related with.
 struct RelationBody {
   std::vector<OrientedBox> boxes;          ///< its parts, or the flat box of a face
   std::vector<Eigen::Vector2d> footprint;  ///< convex, counter-clockwise
@@ -75,6 +77,10 @@ struct RelationBody {
   WorldFace face;               ///< the face itself, or the thing's largest planar face
   bool has_face = false;
   std::vector<WorldFace> level_faces;  ///< planar faces that look up (within angle_deg), for `on`
+  // What every pair asks for, worked out once:
+  std::vector<std::vector<Eigen::Vector2d>> level_shadows;  ///< of the level faces' rectangles
+  std::vector<Eigen::Vector2d> grown;  ///< the footprint, dilated by footprint_dilation
+  Eigen::AlignedBox3d bounds;          ///< of the boxes
 };
 RelationBody face_body(const Scene& scene, const FaceAddress& address,
                        const RelationTolerances& tolerances = {});
@@ -90,9 +96,11 @@ struct RelationMargin {
   [[nodiscard]] bool holds() const { return margin >= 0.0; }
 };
 /// a relation b. `viewpoint` is used by the four that need one. `on` and `supports` look at the
-/// pair only; whether b is the top-most that could carry a is decided in the lists below.
+/// pair only; whether b is the top-most that could carry a is decided in the lists below. Margins
+/// of at least `least` are exact; what cannot reach it may come back with any margin below it.
 RelationMargin relate(const RelationBody& a, const RelationBody& b, SpatialRelation relation,
-                      const Eigen::Vector3d& viewpoint, const RelationTolerances& tolerances = {});
+                      const Eigen::Vector3d& viewpoint, const RelationTolerances& tolerances = {},
+                      double least = -std::numeric_limits<double>::infinity());
 
 /// One relation that holds, or misses by less than a wanted margin.
 struct RelationFact {

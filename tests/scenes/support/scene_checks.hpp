@@ -6,9 +6,11 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "scenes/catalogue.hpp"
 #include "scenes/collide.hpp"
+#include "scenes/generator.hpp"
 #include "scenes/scene.hpp"
 
 namespace scanchor::testing {
@@ -20,6 +22,32 @@ inline Scene alone(const FurnitureRequest& request) {
   thing.id = 1;
   scene.instances.push_back(thing);
   return scene;
+}
+
+/// A board of a size at a pose, as a thing with one box.
+inline Scene boards(const std::vector<std::pair<Eigen::Vector3d, Eigen::Isometry3d>>& list) {
+  Scene scene;
+  for (const auto& [size, pose] : list) {
+    Instance instance;
+    instance.id = static_cast<std::int32_t>(scene.instances.size()) + 1;
+    instance.class_id = 35;
+    instance.kind = "box";
+    instance.parts.push_back(box_part("board", 0, {0, 0, 0}, size));
+    instance.T_world_instance = pose;
+    scene.instances.push_back(instance);
+  }
+  return scene;
+}
+
+/// How often each kind stands in the rooms of a family, seeds 0 .. seeds - 1.
+inline std::map<std::string, int> kinds_in(const std::string& family, std::uint64_t seeds) {
+  std::map<std::string, int> count;
+  RoomOptions options;
+  options.family = family;
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+    for (const auto& instance : generate_room(options, seed).instances) ++count[instance.kind];
+  }
+  return count;
 }
 
 /// Name of a face by its index in all_faces.
