@@ -8,8 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
-#include "core/random.hpp"
-#include "sim/settle.hpp"
+#include "sensors/made_room.hpp"
 
 namespace scanchor {
 namespace {
@@ -101,22 +100,17 @@ MadeScene make_scene(const SceneTask& task, int scans, StageTimes* times) {
   Stopwatch watch;
   StageTimes spent;
   MadeScene made;
-  made.scene = generate_room(task.room, task.seed);
-  spent.generate = watch.lap();
-  const SettleReport report = settle(made.scene, task.settle);
-  if (!report.settled)
-    made.problem = report.problems.empty() ? "did not come to rest" : report.problems.front();
-  spent.settle = watch.lap();
-  if (made.scene.sensor_poses.empty()) {
-    fail_data("scene " + task.name, "", "has no place to scan from",
-              "choose another seed or less clutter");
-  }
+  RoomTimes room_times;
+  MadeRoom room = make_room(task, &room_times);
+  made.scene = std::move(room.scene);
+  if (!room.problems.empty()) made.problem = room.problems.front();
+  spent.generate = room_times.generate;
+  spent.settle = room_times.settle;
+  watch.lap();
   const World world(made.scene);
   for (int k = 0; k < scans; ++k) {
-    const auto& pose =
-        made.scene.sensor_poses[static_cast<std::size_t>(k) % made.scene.sensor_poses.size()];
-    made.scans.push_back(scan_room(world, pose, task.lidar,
-                                   stream_seed(task.seed, "scan", static_cast<std::uint64_t>(k))));
+    made.scans.push_back(
+        scan_room(world, scan_pose(made.scene, k), task.lidar, scan_seed(task, k)));
   }
   spent.scan = watch.lap();
   if (times) times->add(spent);

@@ -62,7 +62,7 @@ const std::vector<std::string>& room_families() {
   return names;
 }
 
-Scene generate_room(const RoomOptions& options, std::uint64_t seed) {
+GeneratedRoom furnish_room(const RoomOptions& options, std::uint64_t seed, int first) {
   const auto* family = std::find_if(std::begin(families), std::end(families),
                                     [&](const Family& f) { return f.name == options.family; });
   if (family == std::end(families))
@@ -71,15 +71,25 @@ Scene generate_room(const RoomOptions& options, std::uint64_t seed) {
   // A room whose paths are blocked or that lacks its essentials is furnished anew; the later tries
   // hold less.
   RoomOptions used = options;
-  for (std::uint64_t attempt = 0;; ++attempt) {
-    Scene scene;
-    scene.family = options.family;
-    scene.seed = seed;
-    scene.name = options.family + " " + std::to_string(seed);
-    SequentialRandom random(stream_seed(seed, options.family, attempt));
-    if (build(*family, scene, random, used) || attempt >= 40) return scene;
+  for (int skipped = 0; skipped < first; ++skipped) used.clutter *= 0.9;
+  GeneratedRoom room;
+  room.tries = first;
+  do {
+    room.scene = Scene();
+    room.scene.family = options.family;
+    room.scene.seed = seed;
+    room.scene.name = options.family + " " + std::to_string(seed);
+    SequentialRandom random(
+        stream_seed(seed, options.family, static_cast<std::uint64_t>(room.tries)));
+    room.complete = build(*family, room.scene, random, used);
+    ++room.tries;
     used.clutter *= 0.9;
-  }
+  } while (!room.complete && room.tries < first + most_tries);
+  return room;
+}
+
+Scene generate_room(const RoomOptions& options, std::uint64_t seed) {
+  return furnish_room(options, seed).scene;
 }
 
 }  // namespace scanchor

@@ -23,8 +23,21 @@ struct RoomOptions {
 /// The names of all families, in a fixed order.
 const std::vector<std::string>& room_families();
 
+/// A room, and how it came about.
+struct GeneratedRoom {
+  Scene scene;
+  int tries = 0;          ///< number of the try that gave it, counted from 1
+  bool complete = false;  ///< has its essentials, its paths can be walked, and it can be scanned
+};
+
+/// Tries from number `first` + 1 on until a room is complete, each with a little less clutter;
+/// after `most_tries` the last one is given all the same, and says that it is not complete.
 /// Deterministic: the same options and seed give the same bytes of scene.json on any machine and
-/// thread count.
+/// thread count. Throws Error(wrong_usage) for an unknown family.
+GeneratedRoom furnish_room(const RoomOptions& options, std::uint64_t seed, int first = 0);
+inline constexpr int most_tries = 60;
+
+/// The scene of furnish_room.
 Scene generate_room(const RoomOptions& options, std::uint64_t seed);
 
 }  // namespace scanchor

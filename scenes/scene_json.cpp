@@ -104,12 +104,25 @@ Json part_json(const Scene& scene, const Part& part) {
   return json;
 }
 
+/// Characters of what dump() would give; counting stops once they are more than `most`.
+std::size_t flat_size(const Json& json, std::size_t most) {
+  if (!json.is_structured()) return json.dump().size();
+  std::size_t size = 1 + (json.empty() ? 1 : json.size());  // brackets and commas
+  if (json.is_array()) {
+    for (auto it = json.begin(); it != json.end() && size <= most; ++it)
+      size += flat_size(*it, most);
+  } else {
+    for (auto it = json.begin(); it != json.end() && size <= most; ++it)
+      size += it.key().size() + 3 + flat_size(*it, most);
+  }
+  return size;
+}
+
 /// Indented like dump(2), but what fits on one line stays there and long lists of numbers run on.
 void print(const Json& json, std::size_t indent, std::string& out) {
   constexpr std::size_t width = 118;
-  const std::string flat = json.dump();
-  if (!json.is_structured() || json.empty() || flat.size() + indent <= width) {
-    out += flat;
+  if (!json.is_structured() || flat_size(json, width) + indent <= width) {
+    out += json.dump();
     return;
   }
   const std::string inner(indent + 2, ' ');
@@ -117,11 +130,11 @@ void print(const Json& json, std::size_t indent, std::string& out) {
   out += json.is_array() ? "[" : "{";
   std::size_t column = width;
   bool first = true;
-  for (const auto& item : json.items()) {
+  for (auto item = json.begin(); item != json.end(); ++item) {
     if (!first) out += ",";
     first = false;
     if (small) {
-      const std::string text = item.value().dump();
+      const std::string text = item->dump();
       if (column + text.size() + 2 > width) {
         out += "\n" + inner;
         column = inner.size();
@@ -135,7 +148,7 @@ void print(const Json& json, std::size_t indent, std::string& out) {
     }
     out += "\n" + inner;
     if (json.is_object()) out += Json(item.key()).dump() + ": ";
-    print(item.value(), indent + 2, out);
+    print(*item, indent + 2, out);
   }
   out += "\n" + std::string(indent, ' ') + (json.is_array() ? "]" : "}");
 }

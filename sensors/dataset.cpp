@@ -12,9 +12,10 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/parallel.hpp"
-#include "core/random.hpp"
 #include "sensors/dataset_card.hpp"
 #include "sensors/dataset_files.hpp"
+#include "sensors/dataset_truth.hpp"
+#include "sensors/made_room.hpp"
 
 namespace scanchor {
 namespace fs = std::filesystem;
@@ -157,13 +158,12 @@ class Generator {
     card.split = task.split;
     card.family = task.room.family;
     card.seed = task.seed;
-    Scene scene = generate_room(task.room, task.seed);
-    const SettleReport report = settle(scene, task.settle);
-    card.settled = report.settled;
-    card.problems = report.problems;
-    if (scene.sensor_poses.empty()) {
-      fail_data(suite_.name, fmt::format("scene {}", task.name), "has no place to scan from");
-    }
+    const MadeRoom room = make_room(task);
+    const Scene& scene = room.scene;
+    card.tries = static_cast<std::uint64_t>(room.tries);
+    card.complete = room.complete;
+    card.settled = room.settled;
+    card.problems = room.problems;
     SequenceWriter writer(root_, card);
     const std::string folder = "sequences/" + task.name + "/";
     std::vector<Eigen::Isometry3d> poses;
@@ -175,10 +175,8 @@ class Generator {
       Scan scan;
       for (int k = 0; k < suite_.scans; ++k) {
         if (stopped()) return;
-        const std::uint64_t seed = stream_seed(task.seed, "scan", static_cast<std::uint64_t>(k));
-        const auto& pose =
-            scene.sensor_poses[static_cast<std::size_t>(k) % scene.sensor_poses.size()];
-        scan_room_into(world, pose, task.lidar, seed, scan);
+        const std::uint64_t seed = scan_seed(task, k);
+        scan_room_into(world, scan_pose(scene, k), task.lidar, seed, scan);
         write_scan(writer, folder, k, scan);
         count_classes(scan.truth, card, instances_seen);
         card.scan_seeds.push_back(seed);
@@ -246,6 +244,7 @@ class Generator {
       auto card = complete_card(task);
       if (!card) continue;
       if (options_.shard.has(task.index)) {
+        result_.rooms_made_anew += card->tries > 1 ? 1 : 0;
         for (const auto& problem : card->problems)
           result_.problems.push_back(fmt::format("scene {}: {}", task.name, problem));
       }

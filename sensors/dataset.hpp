@@ -40,12 +40,13 @@ struct DatasetOptions {
 
 struct DatasetResult {
   int scenes_written = 0;
-  int scenes_found = 0;  ///< complete from an earlier run
+  int scenes_found = 0;     ///< complete from an earlier run
+  int rooms_made_anew = 0;  ///< of those, rooms whose first try lacked something or did not settle
   std::size_t scans_written = 0;
   std::size_t points_written = 0;
   bool interrupted = false;
   bool complete = false;  ///< all scenes of all shards are there, dataset.json is written
-  std::vector<std::string> problems;  ///< scenes that did not come to rest, one line each
+  std::vector<std::string> problems;  ///< what is wrong with scenes all the same, one line each
 };
 
 /// Generates what is missing of the data set in `out`: scenes that an earlier run completed are

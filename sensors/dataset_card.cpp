@@ -8,7 +8,6 @@
 #include "core/file.hpp"
 #include "core/json.hpp"
 #include "core/version.hpp"
-#include "scenes/relations.hpp"
 
 namespace scanchor {
 namespace {
@@ -81,6 +80,8 @@ void write_sequence_card(const std::filesystem::path& path, const SequenceCard& 
                     {"split", card.split},
                     {"family", card.family},
                     {"seed", card.seed},
+                    {"tries", card.tries},
+                    {"complete", card.complete},
                     {"settled", card.settled},
                     {"problems", card.problems},
                     {"scans", scans},
@@ -97,6 +98,8 @@ SequenceCard read_sequence_card(const std::filesystem::path& path) {
   card.split = reader.at("split").text();
   card.family = reader.at("family").text();
   card.seed = reader.at("seed").natural();
+  card.tries = reader.at("tries").natural();
+  card.complete = reader.at("complete").boolean();
   card.settled = reader.at("settled").boolean();
   const JsonReader problems = reader.at("problems");
   for (std::size_t i = 0; i < problems.size(); ++i) card.problems.push_back(problems.at(i).text());
@@ -184,11 +187,13 @@ void write_dataset_card(const std::filesystem::path& root, const Suite& suite,
   Json splits = Json::object(), families = Json::object(), files = Json::object(),
        flagged = Json::object();
   for (const char* split : {"train", "valid", "test"}) splits[split] = Json::array();
-  Json problems = Json::array();
+  Json not_at_rest = Json::array(), not_complete = Json::array(), made_anew = Json::object();
   for (const auto& card : cards) {
     splits[card.split].push_back(card.name);
     families[card.family] = families.value(card.family, 0) + 1;
-    if (!card.settled) problems.push_back(card.name);
+    if (!card.settled) not_at_rest.push_back(card.name);
+    if (!card.complete) not_complete.push_back(card.name);
+    if (card.tries > 1) made_anew[card.name] = card.tries;
   }
   for (std::size_t k = 0; k < total.flagged.size(); ++k) flagged[flag_names[k]] = total.flagged[k];
   for (const auto& [name, record] : total.files) files[name] = file_json(record);
@@ -198,86 +203,13 @@ void write_dataset_card(const std::filesystem::path& root, const Suite& suite,
                {"points", sum(total.scan_points)},
                {"split", splits},
                {"families", families},
-               {"scenes_not_at_rest", problems},
+               {"scenes_made_anew", made_anew},
+               {"scenes_not_complete", not_complete},
+               {"scenes_not_at_rest", not_at_rest},
                {"classes", classes_json(total.classes)},
                {"flagged_points", flagged},
                {"files", files}});
   write_json(root / "dataset.json", json);
-}
-
-std::string faces_json(const Scene& scene,
-                       const std::vector<std::vector<FaceVisibility>>& visibility) {
-  const std::vector<FaceAddress> faces = all_faces(scene);
-  std::vector<Json> seen(faces.size(), Json::array());
-  for (std::size_t scan = 0; scan < visibility.size(); ++scan) {
-    for (const auto& v : visibility[scan]) {
-      if (v.face < 0 || static_cast<std::size_t>(v.face) >= faces.size()) continue;
-      seen[static_cast<std::size_t>(v.face)].push_back(
-          {{"scan", scan}, {"points", v.points}, {"visible_fraction", v.visible_fraction}});
-    }
-  }
-  Json list = Json::array();
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    const Instance& instance = scene.instances[static_cast<std::size_t>(faces[i].instance)];
-    const Part& part = instance.parts[static_cast<std::size_t>(faces[i].part)];
-    const Face& face = part.faces[static_cast<std::size_t>(faces[i].face)];
-    Json json = {{"face", i},
-                 {"instance", instance.id},
-                 {"class", class_info(instance.class_id).name},
-                 {"part", faces[i].part},
-                 {"part_name", part.name},
-                 {"name", face.name},
-                 {"planar", face.planar}};
-    if (face.planar) {
-      const WorldFace world = world_face(scene, faces[i]);
-      json.update({{"center", to_json(world.center)},
-                   {"normal", to_json(world.normal)},
-                   {"axis", to_json(world.axis)},
-                   {"size", to_json(world.size)}});
-    }
-    json["area"] = face.area;
-    json["scans"] = std::move(seen[i]);
-    list.push_back(std::move(json));
-  }
-  // One face a line: thousands of them stay readable.
-  std::string text = "{\"faces\": [\n";
-  for (std::size_t i = 0; i < list.size(); ++i)
-    text += list[i].dump() + (i + 1 < list.size() ? ",\n" : "\n");
-  return text + "]}\n";
-}
-
-std::string relations_json(const Scene& scene) {
-  std::string text = "{\"relations\": [";
-  bool first = true;
-  for (const auto& fact : instance_relations(scene)) {
-    const Json json = {{"relation", relation_name(fact.relation)},
-                       {"a", scene.instances[static_cast<std::size_t>(fact.a)].id},
-                       {"b", scene.instances[static_cast<std::size_t>(fact.b)].id},
-                       {"margin", fact.value.margin},
-                       {"value", fact.value.value}};
-    text += (first ? "\n" : ",\n") + json.dump();
-    first = false;
-  }
-  return text + "\n]}\n";
-}
-
-std::vector<FaceVisibility> read_face_visibility(const std::filesystem::path& path,
-                                                 std::size_t scan) {
-  const Json json = read_json(path);
-  const JsonReader faces = JsonReader(json, path.string()).at("faces");
-  std::vector<FaceVisibility> result;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    const JsonReader face = faces.at(i);
-    const JsonReader scans = face.at("scans");
-    for (std::size_t k = 0; k < scans.size(); ++k) {
-      const JsonReader entry = scans.at(k);
-      if (entry.at("scan").natural() != scan) continue;
-      result.push_back({static_cast<std::int32_t>(face.at("face").integer()),
-                        static_cast<std::int32_t>(entry.at("points").integer()),
-                        entry.at("visible_fraction").number_in(0.0, 1.0)});
-    }
-  }
-  return result;
 }
 
 }  // namespace scanchor

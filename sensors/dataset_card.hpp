@@ -28,7 +28,8 @@ struct ClassCount {
 struct SequenceCard {
   std::string name, split, family;
   std::uint64_t seed = 0;
-  bool settled = false;
+  std::uint64_t tries = 1;  ///< rooms that were furnished until this one was complete and at rest
+  bool complete = false, settled = false;
   std::vector<std::string> problems;
   std::vector<std::uint64_t> scan_seeds, scan_points, scan_beams;
   std::map<std::int32_t, ClassCount> classes;
@@ -48,15 +49,5 @@ std::string label_map_yaml(const std::vector<SequenceCard>& cards, const std::st
 /// Writes dataset.json and label_map.yaml.
 void write_dataset_card(const std::filesystem::path& root, const Suite& suite,
                         const DatasetFormats& formats, const std::vector<SequenceCard>& cards);
-
-/// faces.json: for every face its exact geometry in the world, and in each scan its points and the
-/// share that was visible.
-std::string faces_json(const Scene& scene,
-                       const std::vector<std::vector<FaceVisibility>>& visibility);
-/// relations.json: the exact relations between the things of a room, with their margins.
-std::string relations_json(const Scene& scene);
-/// The visibility of one scan back.
-std::vector<FaceVisibility> read_face_visibility(const std::filesystem::path& path,
-                                                 std::size_t scan);
 
 }  // namespace scanchor

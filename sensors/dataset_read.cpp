@@ -12,6 +12,7 @@
 #include "sensors/dataset.hpp"
 #include "sensors/dataset_card.hpp"
 #include "sensors/dataset_files.hpp"
+#include "sensors/dataset_truth.hpp"
 
 namespace scanchor {
 namespace fs = std::filesystem;

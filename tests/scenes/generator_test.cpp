@@ -202,6 +202,25 @@ TEST(Generator, ClutterAndSizeScaleDoWhatTheySay) {
   EXPECT_GT(large, 1.2 * small);
 }
 
+TEST(Generator, ARoomThatLacksSomethingSaysSo) {
+  RoomOptions small = of("meeting room");
+  small.size_scale = 0.5;  // no table with chairs around fits
+  int incomplete = 0;
+  for (std::uint64_t seed = 60; seed < 63; ++seed) {
+    const GeneratedRoom room = furnish_room(small, seed);
+    incomplete += room.complete ? 0 : 1;
+    EXPECT_EQ(room.complete, room.tries < most_tries);
+  }
+  EXPECT_GE(incomplete, 2);
+  const GeneratedRoom usual = furnish_room(of("kitchen"), 61);
+  EXPECT_TRUE(usual.complete);
+  EXPECT_EQ(scene_to_json(usual.scene), scene_to_json(generate_room(of("kitchen"), 61)));
+  // From the try after it on, another room comes.
+  const GeneratedRoom next = furnish_room(of("kitchen"), 61, usual.tries);
+  EXPECT_GT(next.tries, usual.tries);
+  EXPECT_NE(scene_to_json(next.scene), scene_to_json(usual.scene));
+}
+
 TEST(Generator, UnknownFamilyIsASuggestion) {
   try {
     generate_room(of("ofice"), 1);
