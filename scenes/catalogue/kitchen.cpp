@@ -52,51 +52,61 @@ void make_counter(Maker& m) {
   }
 }
 
+/// Walls and floor of a basin 0.36 m deep from front to back, below a worktop at `height`.
+void basin(Maker& m, int steel, const std::string& which, double cx, double half, double y0,
+           double height) {
+  const double y1 = y0 + 0.36;
+  for (const double s : {-1.0, 1.0}) {
+    const double x = cx + s * (half + 0.005);
+    m.box(which + (s < 0 ? "left" : "right") + " basin wall", steel,
+          {x - 0.003, y0 - 0.0035, height - 0.198},
+          {x + 0.003, y1 + 0.0035, height - slab + joint});
+    const double y = s < 0 ? y0 - 0.005 : y1 + 0.005;
+    m.box(which + (s < 0 ? "front" : "back") + " basin wall", steel,
+          {cx - half - 0.0035, y - 0.003, height - 0.1965},
+          {cx + half + 0.0035, y + 0.003, height - slab + 0.0035});
+  }
+  m.box(which + "basin floor", steel, {cx - half - 0.005, y0 - 0.005, height - 0.2},
+        {cx + half + 0.005, y1 + 0.005, height - 0.194});
+}
+
 void make_sink(Maker& m) {
   const double width = m.series("width", {0.8, 1.0, 1.2});
   const double depth = 0.6;
   const double height = m.size("height", 0.91, 0.015, 0.85, 0.96);
   const double body_top = height - 0.24;
   base_units(m, width, depth, height, body_top, false);
-  // A worktop with the basin cut out, and the basin below it.
+  // A worktop with the basins cut out, and the basins below it.
   const int steel = m.material({"stainless steel"});
-  const double basin = 0.34;
-  const double cx = m.is("with drainer") ? -0.5 * width + 0.28 : 0.0;
+  const bool two = m.is("two basins");
+  const double half = two ? 0.15 : 0.17;
+  std::vector<double> centers = {m.is("with drainer") ? -0.5 * width + 0.28 : 0.0};
+  if (two) centers = {-0.19, 0.19};
   // The panel is made standing and laid down: its x-z plane becomes the x-y plane, its front the
   // top.
   Eigen::Matrix3d lay;
   lay << 1, 0, 0, 0, 0, 1, 0, -1, 0;
-  const Opening hole{{cx + 0.5 * width - 0.5 * basin, 0.12},
-                     {cx + 0.5 * width + 0.5 * basin, 0.12 + 0.36}};
-  m.add(panel_part("worktop", steel, width, depth, slab, {hole}, true,
+  std::vector<Opening> holes;
+  for (const double cx : centers)
+    holes.push_back({{cx + 0.5 * width - half, 0.12}, {cx + 0.5 * width + half, 0.12 + 0.36}});
+  m.add(panel_part("worktop", steel, width, depth, slab, holes, true,
                    pose_at({-0.5 * width, -0.5 * depth, height}, lay)));
   const double y0 = -0.5 * depth + 0.12;
-  const double y1 = y0 + 0.36;
-  const double half = 0.5 * basin;
+  for (const double cx : centers)
+    basin(m, steel, cx == centers.back() ? "" : "second ", cx, half, y0, height);
   for (const double s : {-1.0, 1.0}) {
-    const std::string side = s < 0 ? "left " : "right ";
-    const double x = cx + s * (half + 0.005);
-    m.box(side + "basin wall", steel, {x - 0.003, y0 - 0.0035, height - 0.198},
-          {x + 0.003, y1 + 0.0035, height - slab + joint});
-    const double y = s < 0 ? y0 - 0.005 : y1 + 0.005;
-    m.box(s < 0 ? "front basin wall" : "back basin wall", steel,
-          {cx - half - 0.0035, y - 0.003, height - 0.1965},
-          {cx + half + 0.0035, y + 0.003, height - slab + 0.0035});
     // The unit's sides stand above its body, which ends below the basin.
     const double edge = s * (0.5 * width - 0.011);
-    m.box(side + "side", steel, {edge - 0.008, -0.5 * depth + 0.044, body_top - joint},
+    m.box(s < 0 ? "left side" : "right side", steel,
+          {edge - 0.008, -0.5 * depth + 0.044, body_top - joint},
           {edge + 0.008, 0.5 * depth - 0.0045, height - slab + joint});
   }
-  m.box("basin floor", steel, {cx - half - 0.005, y0 - 0.005, height - 0.2},
-        {cx + half + 0.005, y1 + 0.005, height - 0.194});
   // The tap.
+  const double cx = two ? 0.0 : centers.front();
   m.add(cylinder_part("tap", steel, {cx, 0.5 * depth - 0.07, height - 0.01},
                       {cx, 0.5 * depth - 0.07, height + 0.25}, 0.014, 10));
   m.add(cylinder_part("spout", steel, {cx, 0.5 * depth - 0.07, height + 0.24},
                       {cx, 0.5 * depth - 0.25, height + 0.22}, 0.011, 10));
-  if (m.is("two basins")) {
-    m.add(cushion_part("bowl", steel, {cx + 0.3, 0.0, height + 0.05}, {0.18, 0.3, 0.11}, 0.6, 12));
-  }
 }
 
 void make_refrigerator(Maker& m) {

@@ -24,6 +24,18 @@ TEST(Kitchen, WorktopsAreLevel) {
   EXPECT_NEAR(front->area, front->size.prod() - 0.34 * 0.36, 1e-9);
 }
 
+TEST(Kitchen, TwoBasinsAreTwo) {
+  for (const double width : {0.8, 1.2}) {
+    const Scene sink = alone({"sink counter", "two basins", 1, {{"width", width}}, 0.0});
+    const Face* front = find_face(*find_part(sink.instances[0], "worktop"), "front");
+    EXPECT_NEAR(front->area, front->size.prod() - 2 * 0.30 * 0.36, 1e-9);
+    const Part* left = find_part(sink.instances[0], "second basin floor");
+    const Part* right = find_part(sink.instances[0], "basin floor");
+    ASSERT_TRUE(left != nullptr && right != nullptr);
+    testing::expect_no_close_faces(sink, "two basins");
+  }
+}
+
 TEST(Kitchen, FridgeFreezerHasTwoDoorsInOnePlane) {
   const Scene scene = alone({"refrigerator", "fridge-freezer", 1, {}, 0.0});
   const Face* low = find_face(*find_part(scene.instances[0], "freezer door"), "front");
