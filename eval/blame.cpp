@@ -1,13 +1,14 @@
 #include "eval/blame.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <mutex>
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
+#include "eval/region_surfaces.hpp"
 #include "eval/truth.hpp"
 
 namespace scanchor {
@@ -25,88 +26,13 @@ Eigen::Isometry3d frame_of(const Eigen::Vector3d& normal, const Eigen::Vector3d&
   return T;
 }
 
-void fit(const Scan& scan, Surface& surface) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const auto i : surface.inliers) sum += scan.cloud.points[i];
-  const auto count = static_cast<double>(surface.inliers.size());
-  const Eigen::Vector3d centroid = sum / count;
-  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-  for (const auto i : surface.inliers) {
-    const Eigen::Vector3d d = scan.cloud.points[i] - centroid;
-    scatter += d * d.transpose();
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
-  Eigen::Vector3d normal = solver.eigenvectors().col(0);
-  if (normal.dot(-centroid) < 0) normal = -normal;  // the sensor stands at the origin of its cloud
-  surface.plane.normal = normal;
-  surface.plane.centroid = centroid;
-  surface.plane.offset = normal.dot(centroid);
-  const double residual = std::max(solver.eigenvalues()(0), 0.0) / std::max(count - 3.0, 1.0);
-  surface.plane.residual_sigma = std::sqrt(residual);
-  surface.plane.centroid_sigma = std::sqrt(residual / count);
-  // Tilt about an in-plane axis: variance across the plane over the scatter along the other axis.
-  for (const int k : {1, 2}) {
-    const Eigen::Vector3d axis = solver.eigenvectors().col(k);
-    surface.plane.normal_covariance +=
-        residual / std::max(solver.eigenvalues()(k), 1e-12) * axis * axis.transpose();
-  }
-  surface.T_cloud_surface = frame_of(normal, solver.eigenvectors().col(2), centroid);
-}
-
-std::vector<Surface> surfaces_of(const Scan& scan, const ScanTruth& truth,
-                                 std::vector<std::int32_t>& plane_of_surface) {
-  std::vector<Surface> surfaces(truth.planes.size());
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    if (truth.plane[i] < 0 || !scan.cloud.points[i].allFinite()) continue;
-    surfaces[static_cast<std::size_t>(truth.plane[i])].inliers.push_back(
-        static_cast<std::uint32_t>(i));
-  }
-  std::vector<std::int32_t> order;
-  for (std::size_t p = 0; p < surfaces.size(); ++p) {
-    const bool curved = !truth.planes[p].has_geometry && truth.planes[p].ignored;
-    if (surfaces[p].inliers.size() >= 3 && !curved) order.push_back(static_cast<std::int32_t>(p));
-  }
-  std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-    const auto& x = surfaces[static_cast<std::size_t>(a)].inliers;
-    const auto& y = surfaces[static_cast<std::size_t>(b)].inliers;
-    return x.size() != y.size() ? x.size() > y.size() : x.front() < y.front();
-  });
-  std::vector<Surface> sorted;
-  for (const auto p : order) {
-    sorted.push_back(std::move(surfaces[static_cast<std::size_t>(p)]));
-    sorted.back().id = static_cast<std::int32_t>(sorted.size()) - 1;
-    fit(scan, sorted.back());
-    plane_of_surface.push_back(p);
-  }
-  return sorted;
-}
-
-Surfaces planes_as_true(const Scan& scan, const ScanTruth& truth,
-                        std::vector<std::int32_t>& plane_of_surface) {
-  Surfaces surfaces;
-  surfaces.surfaces = surfaces_of(scan, truth, plane_of_surface);
-  surfaces.plane_of_point.assign(truth.size(), -1);
-  std::vector<double> spacing;
-  double squares = 0, weight = 0;
-  for (const auto& surface : surfaces.surfaces) {
-    for (const auto i : surface.inliers) surfaces.plane_of_point[i] = surface.id;
-    const double n = static_cast<double>(surface.inliers.size());
-    squares += surface.plane.residual_sigma * surface.plane.residual_sigma * n;
-    weight += n;
-  }
-  // Neighbours in the order of measurement: the scan's own grid.
-  for (std::size_t i = 1; i < scan.cloud.size(); ++i) {
-    if (truth.plane[i] < 0 || truth.plane[i] != truth.plane[i - 1]) continue;
-    spacing.push_back((scan.cloud.points[i] - scan.cloud.points[i - 1]).norm());
-  }
-  if (!spacing.empty()) {
-    const auto middle = spacing.begin() + static_cast<std::ptrdiff_t>(spacing.size() / 2);
-    std::nth_element(spacing.begin(), middle, spacing.end());
-    surfaces.point_spacing = *middle;
-  }
-  surfaces.noise_sigma = weight > 0 ? std::sqrt(squares / weight) : 0.0;
-  surfaces.sensor_positions = {Eigen::Vector3d::Zero()};
-  return surfaces;
+// Which plane of the truth each surface is, by any of its points: surfaces of the truth's own
+// regions hold points of one plane only.
+std::vector<std::int32_t> planes_of_surfaces(const Surfaces& surfaces, const ScanTruth& truth) {
+  std::vector<std::int32_t> planes;
+  for (const auto& surface : surfaces.surfaces)
+    planes.push_back(truth.plane[surface.inliers.front()]);
+  return planes;
 }
 
 Measured exactly(double value) { return {value, value, value, false}; }
@@ -155,14 +81,23 @@ Scan perfect_scan(const Scan& scan) {
   return perfect;
 }
 
-Surfaces perfect_planes(const Scan& scan, const ScanTruth& truth) {
-  std::vector<std::int32_t> plane_of_surface;
-  return planes_as_true(scan, truth, plane_of_surface);
+Surfaces perfect_planes(const Scan& scan, const ScanTruth& truth, const Protocol& protocol) {
+  return surfaces_of_regions(scan.cloud, PerceiveOptions{}, [&](const PointCloud&, double) {
+    std::vector<std::int32_t> regions = truth.plane;
+    for (auto& plane : regions) {
+      if (plane < 0) continue;
+      const PlaneTruth& there = truth.planes[static_cast<std::size_t>(plane)];
+      const bool curved = !there.has_geometry && there.ignored;
+      if (there.points < protocol.plane_min_points || curved) plane = -1;
+    }
+    return regions;
+  });
 }
 
-Surfaces perfect_shapes(const Scan& scan, const Scene& scene, const ScanTruth& truth) {
-  std::vector<std::int32_t> plane_of_surface;
-  Surfaces surfaces = planes_as_true(scan, truth, plane_of_surface);
+Surfaces perfect_shapes(const Scan& scan, const Scene& scene, const ScanTruth& truth,
+                        const Protocol& protocol) {
+  Surfaces surfaces = perfect_planes(scan, truth, protocol);
+  const auto plane_of_surface = planes_of_surfaces(surfaces, truth);
   const auto addresses = all_faces(scene);
   const Eigen::Isometry3d T_cloud_world = scan.T_world_sensor.inverse();
   for (auto& surface : surfaces.surfaces) {
@@ -235,6 +170,8 @@ BlameResult blame(const Suite& suite, const PerceiveOptions& perceive_options,
                                     PerfectUpTo::shapes, PerfectUpTo::labels};
   std::vector<std::vector<Score>> scores(tasks.size(), std::vector<Score>(std::size(stages)));
   const ThreadLimit limit(options.threads);
+  std::mutex mutex;
+  std::size_t done = 0;
   parallel_blocks(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       const MadeScene made = make_scene(tasks[t], suite.scans);
@@ -248,11 +185,11 @@ BlameResult blame(const Suite& suite, const PerceiveOptions& perceive_options,
           if (stages[s] == PerfectUpTo::nothing) said = method.answer(scan, tasks[t].name);
           if (stages[s] == PerfectUpTo::scan) said = method.answer(clean, tasks[t].name);
           if (stages[s] == PerfectUpTo::planes) {
-            said.surfaces = perfect_planes(clean, truth);
+            said.surfaces = perfect_planes(clean, truth, options.protocol);
             find_shapes(clean.cloud, perceive_options, *said.surfaces);
           }
           if (stages[s] == PerfectUpTo::shapes)
-            said.surfaces = perfect_shapes(clean, made.scene, truth);
+            said.surfaces = perfect_shapes(clean, made.scene, truth, options.protocol);
           if (stages[s] == PerfectUpTo::labels) {
             answer.points = perfect_prediction(truth);
           } else {
@@ -268,6 +205,9 @@ BlameResult blame(const Suite& suite, const PerceiveOptions& perceive_options,
                                       answer, options.protocol));
         }
       }
+      const std::lock_guard lock(mutex);
+      ++done;
+      if (options.progress) options.progress(done, tasks.size());
     }
   });
   BlameResult result;

@@ -22,13 +22,14 @@ std::string stage_word(PerfectUpTo stage);
 /// (PointTruth::true_range). Ghosts and points out of range keep their place.
 Scan perfect_scan(const Scan& scan);
 
-/// Planes as in the truth: one surface a plane of at least three points, fitted to its points by
-/// their covariance; in the order and with the fields that find_planes promises.
-Surfaces perfect_planes(const Scan& scan, const ScanTruth& truth);
+/// Planes as in the truth, of at least `plane_min_points` points: fitted as find_planes fits its
+/// own. Smaller ones count nowhere, and no pipeline would call them planes.
+Surfaces perfect_planes(const Scan& scan, const ScanTruth& truth, const Protocol& protocol);
 
 /// Shapes as in the truth: plane, rectangle, area and polygon of the faces themselves, as if seen
 /// whole.
-Surfaces perfect_shapes(const Scan& scan, const Scene& scene, const ScanTruth& truth);
+Surfaces perfect_shapes(const Scan& scan, const Scene& scene, const ScanTruth& truth,
+                        const Protocol& protocol);
 
 struct BlameRow {
   PerfectUpTo perfect = PerfectUpTo::nothing;

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "eval/plane_relations.hpp"
 #include "eval/truth.hpp"
 
 namespace scanchor {
@@ -49,6 +50,19 @@ void error_metrics(const std::string& name, const ErrorStats& stats, Metrics& li
   list.emplace_back("geometry." + name + ".rms", stats.rms());
   if (stats.with_interval > 0)
     list.emplace_back("geometry." + name + ".coverage", stats.coverage());
+}
+
+void relation_metrics(const std::string& prefix,
+                      const std::map<std::string, RelationCounts>& relations, Metrics& list) {
+  if (relations.empty()) return;
+  RelationCounts all;
+  for (const auto& [name, counts] : relations) all.add(counts);
+  list.emplace_back(prefix + "precision", all.precision());
+  list.emplace_back(prefix + "recall", all.recall());
+  for (const auto& [name, counts] : relations) {
+    list.emplace_back(prefix + "precision." + name, counts.precision());
+    list.emplace_back(prefix + "recall." + name, counts.recall());
+  }
 }
 
 }  // namespace
@@ -118,7 +132,14 @@ Score score_scan(const Scan& scan, const Scene* scene, const Answer& answer,
           ? labelled_things(truth, *answer.surfaces, *answer.labelling, protocol, answer.described)
           : labelled_things(objects),
       protocol);
-  if (!relations.empty()) score.relations = score_relations(relations, answer.relations);
+  if (!relations.empty()) {
+    score.relations = score_relations(relations, answer.relations);
+  } else if (answer.surfaces && answer.labelling && scene) {
+    PlaneRelations planes =
+        plane_relations(scan, *scene, truth, match, *answer.surfaces, answer.labelling->up,
+                        answer.labelling->up_sigma, protocol);
+    score.relations = score_relations(std::move(planes.truth), std::move(planes.claims));
+  }
   if (details) *details = objects;
   return score;
 }
@@ -192,14 +213,8 @@ Metrics metrics(const Score& score, const Protocol& protocol) {
   list.emplace_back("labels.unknown_rate", unknown_rate(score.labels));
   list.emplace_back("labels.ambiguous_rate", ambiguous_rate(score.labels));
   list.emplace_back("labels.area_under_risk", area_under_risk(score.labels));
-  for (const auto& [name, counts] : score.relations.clear) {
-    list.emplace_back("relations.precision." + name, counts.precision());
-    list.emplace_back("relations.recall." + name, counts.recall());
-  }
-  for (const auto& [name, counts] : score.relations.borderline) {
-    list.emplace_back("relations.borderline.precision." + name, counts.precision());
-    list.emplace_back("relations.borderline.recall." + name, counts.recall());
-  }
+  relation_metrics("relations.", score.relations.clear, list);
+  relation_metrics("relations.borderline.", score.relations.borderline, list);
   for (std::size_t c = 0; c < rules.size(); ++c) {
     if (!rules.scored[c]) continue;
     const ObjectCounts counts =

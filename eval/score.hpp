@@ -47,12 +47,14 @@ struct Answer {
   const Surfaces* surfaces = nullptr;
   const Labelling* labelling = nullptr;
   std::vector<ClassId> described;        ///< classes that the method has a word for; empty: all
-  std::vector<NamedRelation> relations;  ///< claims in terms of the truth's ids; empty: not scored
+  std::vector<NamedRelation> relations;  ///< claims in terms of the truth's ids
 };
 
-/// Holds an answer against the truth. `scene` may be null; `relations`: true relations, empty: not
-/// scored. `details` may be null. Throws Error(bad_data) where the answer has another number of
-/// points than the scan, or says what cannot be (NaN, class that is none).
+/// Holds an answer against the truth. `scene` may be null; `relations`: true relations that
+/// Answer::relations is held against, empty: those between planes are scored (plane_relations),
+/// where the answer has surfaces and a labelling. `details` may be null. Throws Error(bad_data)
+/// where the answer has another number of points than the scan, or says what cannot be (NaN, class
+/// that is none).
 Score score_scan(const Scan& scan, const Scene* scene, const Answer& answer,
                  const Protocol& protocol, const std::vector<NamedRelation>& relations = {},
                  ObjectSummary* details = nullptr);

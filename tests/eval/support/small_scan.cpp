@@ -30,6 +30,7 @@ SmallScan small_scan() {
   scan.T_world_sensor.translation() = Eigen::Vector3d(0, -2, 1.5);
   scan.T_world_sensor.linear() =
       Eigen::AngleAxisd(0.5 * 3.14159265358979323846, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  scan.cloud.sensor_poses = {Eigen::Isometry3d::Identity()};
   const auto faces = all_faces(made.scene);
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const WorldFace face = world_face(made.scene, faces[f]);
