@@ -6,6 +6,7 @@
 #include <ctime>
 #include <filesystem>
 
+#include "apps/check_pictures.hpp"
 #include "apps/suite_run.hpp"
 #include "core/file.hpp"
 #include "core/progress.hpp"
@@ -19,20 +20,27 @@ struct Arguments : SuiteArguments {
   std::string baseline;
   std::string junit;
   std::string markdown;
+  std::string bencher;
+  std::string pictures;
   std::string reason_text;
+  bool draw = false;
   GateOptions gate;
 };
 
 RunResult measured(const Suite& suite, const Arguments& arguments, int scenes) {
   RunOptions options = run_options(arguments);
   options.scenes = scenes;
-  Progress progress("scenes", static_cast<std::size_t>(std::max(scenes, 0)),
-                    {.quiet = arguments.common.quiet || arguments.common.json});
-  options.progress = [&](std::size_t done, std::size_t) { progress.update(done); };
+  Progress progress("scenes", 0, {.quiet = arguments.common.quiet || arguments.common.json});
+  options.progress = [&](std::size_t done, std::size_t total) { progress.update(done, total); };
   RunResult result = run_suite(suite, load_method(arguments), options);
   if (result.interrupted)
     throw Error(ExitCode::nothing_measured, "interrupted: nothing was compared");
   return result;
+}
+
+/// Where the pictures of a baseline are: "quick.json" has "quick.pictures/".
+std::filesystem::path pictures_beside(const std::string& baseline) {
+  return std::filesystem::path(baseline).replace_extension(".pictures");
 }
 
 int check(Arguments& arguments) {
@@ -49,8 +57,15 @@ int check(Arguments& arguments) {
       arguments.gate);
   if (!arguments.junit.empty()) write_file(arguments.junit, gate_to_junit(report));
   if (!arguments.markdown.empty()) write_file(arguments.markdown, gate_to_markdown(report));
+  if (!arguments.bencher.empty()) write_json(arguments.bencher, gate_to_bencher(report));
   answer(arguments.common, gate_to_json(report));
   say(arguments.common, gate_to_text(report));
+  if (!arguments.pictures.empty()) {
+    for (const auto& file :
+         draw_worst_scenes(arguments.pictures, pictures_beside(arguments.baseline), suite,
+                           load_method(arguments), report))
+      say(arguments.common, "picture: " + file.string());
+  }
   return static_cast<int>(report.exit_code(arguments.gate.strict));
 }
 
@@ -76,6 +91,9 @@ int update(Arguments& arguments) {
         {today(), arguments.reason_text.empty() ? "first baseline" : arguments.reason_text, {}});
   }
   write_baseline(arguments.baseline, next);
+  if (arguments.draw)
+    draw_baseline_pictures(pictures_beside(arguments.baseline), suite, load_method(arguments),
+                           next.run);
   answer(arguments.common, Json{{"baseline", arguments.baseline}, {"changes", changes}});
   for (const auto& change : changes) say(arguments.common, "  " + change);
   say(arguments.common, fmt::format("{}: {} scenes", arguments.baseline, next.run.rows.size()));
@@ -104,6 +122,14 @@ void add_check(CLI::App& root, ExitCodeSlot& code) {
   verb->add_option("--junit", arguments->junit, "Write JUnit XML")->type_name("FILE");
   verb->add_option("--markdown", arguments->markdown, "Write a summary for a pull request")
       ->type_name("FILE");
+  verb->add_option("--bencher", arguments->bencher, "Write Bencher's metric format")
+      ->type_name("FILE");
+  verb->add_option("--pictures", arguments->pictures,
+                   "Draw the three scenes that lost most, beside the baseline's pictures")
+      ->type_name("DIR");
+  verb->add_option("--correction", arguments->gate.correction, "Of p-values for several metrics")
+      ->check(CLI::IsMember({"westfall-young", "holm"}))
+      ->capture_default_str();
   verb->callback([arguments, &code] { code = check(*arguments); });
 }
 
@@ -120,6 +146,8 @@ void add_baseline(CLI::App& root, ExitCodeSlot& code) {
       ->type_name("FILE");
   verb->add_option("--reason", arguments->reason_text,
                    "Why the baseline changes, at least three words");
+  verb->add_flag("--pictures", arguments->draw,
+                 "Also draw each scene, into FILE.pictures: what check shows as before");
   verb->callback([arguments, &code] { code = update(*arguments); });
 }
 

@@ -65,5 +65,6 @@ void add_check(CLI::App& root, ExitCodeSlot& code);
 void add_baseline(CLI::App& root, ExitCodeSlot& code);
 void add_sweep(CLI::App& root, ExitCodeSlot& code);
 void add_blame(CLI::App& root, ExitCodeSlot& code);
+void add_shrink(CLI::App& root, ExitCodeSlot& code);
 
 }  // namespace scanchor::apps

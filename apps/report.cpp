@@ -18,6 +18,7 @@ struct ReportArguments {
   std::string run;
   std::string out;
   std::string baseline;
+  std::vector<std::string> sweeps;
   ReportOptions options;
 };
 
@@ -25,6 +26,7 @@ int report(ReportArguments& arguments) {
   const fs::path html =
       arguments.out.empty() ? fs::path(arguments.run) / "report.html" : fs::path(arguments.out);
   arguments.options.baseline = arguments.baseline;
+  arguments.options.sweeps.assign(arguments.sweeps.begin(), arguments.sweeps.end());
   write_report(arguments.run, html, arguments.options);
   answer(arguments.common, Json{{"report", html.string()}});
   say(arguments.common, "report: " + html.string());
@@ -51,7 +53,9 @@ int figures(const FigureArguments& arguments) {
 
 void add_report(CLI::App& root, ExitCodeSlot& code) {
   auto* verb = root.add_subcommand("report", "One HTML file of a run that opens without a network");
-  verb->footer("Example:\n  scanchor report demo --out report.html");
+  verb->footer(
+      "Examples:\n  scanchor report demo --out report.html\n"
+      "  scanchor report demo --sweep noise --baseline yesterday");
   auto arguments = std::make_shared<ReportArguments>();
   verb->add_option("run", arguments->run, "The folder that run wrote")
       ->required()
@@ -59,6 +63,11 @@ void add_report(CLI::App& root, ExitCodeSlot& code) {
   verb->add_option("--out", arguments->out, "The page; default RUN/report.html")->type_name("FILE");
   verb->add_option("--baseline", arguments->baseline, "Another run to compare with")
       ->type_name("DIR");
+  verb->add_option("--sweep", arguments->sweeps,
+                   "The folder of a sweep, shown as curves (repeatable)")
+      ->type_name("DIR")
+      ->expected(1)
+      ->take_all();
   verb->add_option("--title", arguments->options.title, "Title of the page");
   add_common(*verb, arguments->common, false);
   verb->callback([arguments, &code] { code = report(*arguments); });

@@ -1,58 +1,51 @@
-// scanchor score: anybody's predictions, or anybody's program, against the truth of a data set.
+// scanchor score: predictions, a program or methods against the truth of a data set or a suite.
 
 #include <fmt/format.h>
 
 #include <filesystem>
 
-#include "apps/command.hpp"
+#include "apps/methods.hpp"
 #include "apps/score_table.hpp"
+#include "apps/suite_run.hpp"
 #include "core/parallel.hpp"
 #include "core/progress.hpp"
 #include "eval/external.hpp"
 #include "eval/predictions.hpp"
-#include "eval/run.hpp"
+#include "results/score_plots.hpp"
 #include "sensors/dataset.hpp"
 
 namespace scanchor::apps {
 namespace {
 
-struct Arguments {
-  Common common;
+struct Arguments : SuiteArguments {
   std::string truth;
   std::string predictions;
-  std::string split;
-  std::string protocol = "scanchor-1";
   std::string label_map;
-  std::string ontology = "office";
-  std::string method;
+  std::vector<std::string> methods;
   std::string out;
+  std::string plots;
   ExternalOptions external;
 };
 
-/// The method that answers: a program, or one of ours by name.
-Method chosen_method(Arguments& arguments) {
-  if (!arguments.external.command.empty()) return external_method(arguments.external);
-  PerceiveOptions perceive;
-  ReasonOptions reason;
-  perceive.method = arguments.method;
-  reason.mode = arguments.method;
-  OptionList list;
-  list.add_group("perceive", perceive);
-  list.add_group("reason", reason);
-  apply_settings(list, arguments.common);
-  return own_method(perceive, find_ontology(arguments.ontology), reason);
+/// What answers: a program, or methods by name.
+std::vector<Method> chosen_methods(const Arguments& arguments) {
+  if (!arguments.external.command.empty()) return {external_method(arguments.external)};
+  std::vector<Method> methods;
+  for (const auto& name : arguments.methods) methods.push_back(load_method(arguments, name));
+  return methods;
 }
 
-struct Scored {
-  Score score;
-  std::size_t missing = 0;
-};
-
 /// Every scan of the data set, or of one part of it, answered by a method.
-Scored score_method(const Dataset& dataset, const Method& method, const Arguments& arguments,
-                    const Protocol& protocol) {
-  Scored scored;
-  Progress progress("scans", 0, {.quiet = arguments.common.quiet || arguments.common.json});
+MethodScore score_dataset(const Dataset& dataset, const Method& method, const Arguments& arguments,
+                          const Protocol& protocol) {
+  MethodScore scored;
+  scored.name = method.name;
+  std::size_t total = 0;
+  for (const auto& sequence : dataset.sequences) {
+    if (arguments.split.empty() || sequence.split == arguments.split)
+      total += sequence.scans.size();
+  }
+  Progress progress("scans", total, {.quiet = arguments.common.quiet || arguments.common.json});
   for (const auto& sequence : dataset.sequences) {
     if (!arguments.split.empty() && sequence.split != arguments.split) continue;
     const Scene scene = read_dataset_scene(sequence);
@@ -61,6 +54,7 @@ Scored score_method(const Dataset& dataset, const Method& method, const Argument
       const std::string name = sequence.name + "/" + sequence.scans[i];
       try {
         const MethodAnswer given = method.answer(scan, name);
+        scored.seconds += given.perceive_seconds + given.reason_seconds;
         Answer answer;
         answer.points = given.points;
         answer.surfaces = given.surfaces ? &*given.surfaces : nullptr;
@@ -73,18 +67,23 @@ Scored score_method(const Dataset& dataset, const Method& method, const Argument
       progress.add();
     }
   }
+  if (interrupted)
+    throw Error(ExitCode::nothing_measured, "interrupted: a part of the scans is no score");
   return scored;
 }
 
 /// Prediction files laid beside the data set. A scan without one is scored as all missed, and
 /// listed.
-Scored score_files(const Dataset& dataset, const Arguments& arguments, const Protocol& protocol) {
+MethodScore score_files(const Dataset& dataset, const Arguments& arguments,
+                        const Protocol& protocol) {
   PredictionOptions options;
   if (!arguments.label_map.empty()) options.label_map = read_label_map(arguments.label_map);
   const PredictionFolder folder = find_predictions(arguments.predictions, dataset, arguments.split);
-  Scored scored;
-  scored.missing = folder.missing.size();
+  MethodScore scored;
+  scored.name = arguments.predictions;
   auto file = folder.files.begin();
+  Progress progress("scans", folder.files.size() + folder.missing.size(),
+                    {.quiet = arguments.common.quiet || arguments.common.json});
   for (std::size_t s = 0; s < dataset.sequences.size(); ++s) {
     const auto& sequence = dataset.sequences[s];
     if (!arguments.split.empty() && sequence.split != arguments.split) continue;
@@ -101,31 +100,90 @@ Scored score_files(const Dataset& dataset, const Arguments& arguments, const Pro
                                       sequence.name + "/" + sequence.scans[i], "no prediction",
                                       protocol));
       }
+      progress.add();
     }
   }
   return scored;
 }
 
-int run(Arguments& arguments) {
-  const ThreadLimit limit(arguments.common.threads);
+/// A suite is made as it is scored: nothing is on disk.
+MethodScore score_suite(const Suite& suite, const Method& method, const Arguments& arguments) {
+  RunOptions options = run_options(arguments);
+  Progress progress(method.name + ", scenes", 0,
+                    {.quiet = arguments.common.quiet || arguments.common.json});
+  options.progress = [&](std::size_t done, std::size_t total) { progress.update(done, total); };
+  const RunResult run = run_suite(suite, method, options);
+  if (run.interrupted)
+    throw Error(ExitCode::nothing_measured, "interrupted: a part of the scenes is no score");
+  return {method.name, run.pooled, run.times.perceive + run.times.reason};
+}
+
+std::vector<MethodScore> score_all(Arguments& arguments, const Protocol& protocol) {
+  std::vector<MethodScore> scored;
+  if (!arguments.truth.empty()) {
+    const Dataset dataset = read_dataset(arguments.truth);
+    if (!arguments.predictions.empty()) return {score_files(dataset, arguments, protocol)};
+    OptionList list;
+    list.add_group("perceive", arguments.perceive);
+    list.add_group("reason", arguments.reason);
+    apply_settings(list, arguments.common);
+    for (const auto& method : chosen_methods(arguments))
+      scored.push_back(score_dataset(dataset, method, arguments, protocol));
+    return scored;
+  }
+  if (arguments.split.empty()) arguments.split = "test";
+  const Suite suite = load_suite(arguments);
+  for (const auto& method : chosen_methods(arguments))
+    scored.push_back(score_suite(suite, method, arguments));
+  return scored;
+}
+
+void check_arguments(const Arguments& arguments) {
+  if (arguments.truth.empty() == arguments.suite.empty())
+    fail_usage("score wants either --truth or --suite");
   const int answers = (arguments.predictions.empty() ? 0 : 1) +
                       (arguments.external.command.empty() ? 0 : 1) +
-                      (arguments.method.empty() ? 0 : 1);
+                      (arguments.methods.empty() ? 0 : 1);
   if (answers != 1) fail_usage("score wants exactly one of --predictions, --pipeline and --method");
+  if (arguments.truth.empty() && !arguments.predictions.empty())
+    fail_usage("--predictions belong to a data set on disk",
+               "make it with 'scanchor generate' and name it with --truth");
+}
+
+Json to_json(const std::vector<MethodScore>& scored, const Protocol& protocol) {
+  if (scored.size() == 1) return score_to_json(scored.front().score, protocol);
+  Json json;
+  for (const auto& one : scored) json["methods"][one.name] = score_to_json(one.score, protocol);
+  return json;
+}
+
+int run(Arguments& arguments) {
+  check_arguments(arguments);
+  const ThreadLimit limit(arguments.common.threads);
   const Protocol protocol = find_protocol(arguments.protocol);
-  const Dataset dataset = read_dataset(arguments.truth);
-  const Scored scored = arguments.predictions.empty()
-                            ? score_method(dataset, chosen_method(arguments), arguments, protocol)
-                            : score_files(dataset, arguments, protocol);
-  if (scored.score.scans == 0)
+  const std::vector<MethodScore> scored = score_all(arguments, protocol);
+  if (scored.front().score.scans == 0)
     throw Error(ExitCode::nothing_measured,
                 fmt::format("{}: no scan of part '{}'", arguments.truth, arguments.split));
-
-  const Json json = score_to_json(scored.score, protocol);
+  const Common& common = arguments.common;
+  const Json json = to_json(scored, protocol);
   if (!arguments.out.empty()) write_json(arguments.out, json);
-  answer(arguments.common, json);
-  print_score(arguments.common, scored.score, protocol);
-  if (!arguments.out.empty()) say(arguments.common, "scores: " + arguments.out);
+  answer(common, json);
+  if (scored.size() == 1) {
+    print_score(common, scored.front().score, protocol);
+  } else {
+    print_methods(common, scored, protocol);
+  }
+  if (!arguments.plots.empty()) {
+    for (const auto& one : scored) {
+      const std::filesystem::path folder =
+          scored.size() == 1 ? std::filesystem::path(arguments.plots)
+                             : std::filesystem::path(arguments.plots) / file_name_of(one.name);
+      for (const auto& file : write_score_plots(folder, one.score, protocol, one.name))
+        say(common, "plot: " + file.string());
+    }
+  }
+  if (!arguments.out.empty()) say(common, "scores: " + arguments.out);
   return 0;
 }
 
@@ -133,21 +191,30 @@ int run(Arguments& arguments) {
 
 void add_score(CLI::App& root, ExitCodeSlot& code) {
   auto* verb = root.add_subcommand(
-      "score", "Hold predictions, a program or a method against the truth of a data set");
+      "score", "Hold predictions, a program or methods against the truth of a data set or suite");
   verb->footer(
       "Examples:\n  scanchor score --truth data --predictions mine --protocol semantickitti\n"
       "  scanchor score --truth data --pipeline 'mypipeline {scan} {out}' --time-limit 30\n"
-      "  scanchor score --truth data --method paper --split test --out scores.json");
+      "  scanchor score --suite office --method default --plots plots\n"
+      "  scanchor score --suite quick --method default --method paper --out scores.json");
   auto arguments = std::make_shared<Arguments>();
-  verb->add_option("--truth", arguments->truth, "The data set")->required()->type_name("DIR");
+  arguments->suite.clear();
+  arguments->split.clear();
+  verb->add_option("--truth", arguments->truth, "A data set on disk")->type_name("DIR");
+  verb->add_option("--suite", arguments->suite, "A suite by name or file: made while it is scored")
+      ->type_name("SUITE");
   verb->add_option("--predictions", arguments->predictions,
                    "Predictions: SemanticKITTI .label, PLY or PCD fields, or our JSON")
       ->type_name("DIR");
   verb->add_option("--pipeline", arguments->external.command,
                    "A program to run on every scan: 'CMD {scan} {out}'")
       ->type_name("CMD");
-  verb->add_option("--method", arguments->method, "One of ours: default or paper")
-      ->check(CLI::IsMember({"default", "paper"}));
+  verb->add_option("--method", arguments->methods,
+                   "default, paper, or a peer: cgal-region-growing, cgal-ransac, "
+                   "pcl-region-growing (repeatable: a table)")
+      ->type_name("METHOD")
+      ->expected(1)
+      ->take_all();
   verb->add_option("--time-limit", arguments->external.time_limit,
                    "For the program, on one scan [s]")
       ->check(CLI::Range(0.1, 86400.0))
@@ -160,12 +227,19 @@ void add_score(CLI::App& root, ExitCodeSlot& code) {
       ->capture_default_str();
   verb->add_option("--label-map", arguments->label_map, "YAML from label numbers to class names")
       ->type_name("FILE");
-  verb->add_option("--split", arguments->split, "Only train, valid or test");
+  verb->add_option("--split", arguments->split,
+                   "Only train, valid or test; of a suite test, if not said")
+      ->check(CLI::IsMember({"train", "valid", "test"}));
+  verb->add_option("--scenes", arguments->scenes, "At most so many scenes of a suite; 0: all")
+      ->check(CLI::Range(0, 1000000));
   verb->add_option("--protocol", arguments->protocol, "Scoring rules: a name or a file")
       ->capture_default_str();
   verb->add_option("--ontology", arguments->ontology, "Descriptions, with --method")
       ->capture_default_str();
   verb->add_option("--out", arguments->out, "Write scores.json")->type_name("FILE");
+  verb->add_option("--plots", arguments->plots,
+                   "Write reliability, risk, confusion and planes as SVG and PNG")
+      ->type_name("DIR");
   add_common(*verb, arguments->common);
   verb->callback([arguments, &code] { code = run(*arguments); });
 }

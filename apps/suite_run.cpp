@@ -1,6 +1,9 @@
 #include "apps/suite_run.hpp"
 
+#include "apps/methods.hpp"
 #include "core/data_folder.hpp"
+#include "core/file.hpp"
+#include "reasoning/sdl_format.hpp"
 
 namespace scanchor::apps {
 
@@ -13,8 +16,9 @@ void add_suite_arguments(CLI::App& verb, SuiteArguments& arguments) {
   verb.add_option("--split", arguments.split, "Part of the suite: train, valid or test")
       ->check(CLI::IsMember({"train", "valid", "test"}))
       ->capture_default_str();
-  verb.add_option("--method", arguments.method, "default or paper")
-      ->check(CLI::IsMember({"default", "paper"}))
+  verb.add_option("--method", arguments.method,
+                  "default, paper, or a peer: cgal-region-growing, cgal-ransac, pcl-region-growing")
+      ->type_name("METHOD")
       ->capture_default_str();
   verb.add_option("--ontology", arguments.ontology, "Descriptions: a name or a .sdl file")
       ->capture_default_str();
@@ -25,8 +29,6 @@ void add_suite_arguments(CLI::App& verb, SuiteArguments& arguments) {
 
 Suite load_suite(SuiteArguments& arguments) {
   Suite suite = read_suite(find_data_file("suites", arguments.suite, ".yaml"));
-  arguments.perceive.method = arguments.method;
-  arguments.reason.mode = arguments.method;
   OptionList list;
   suite.describe(list);
   list.add_group("perceive", arguments.perceive);
@@ -36,7 +38,11 @@ Suite load_suite(SuiteArguments& arguments) {
 }
 
 Method load_method(const SuiteArguments& arguments) {
-  return own_method(arguments.perceive, find_ontology(arguments.ontology), arguments.reason);
+  return load_method(arguments, arguments.method);
+}
+
+Method load_method(const SuiteArguments& arguments, const std::string& name) {
+  return find_method(name, arguments.perceive, find_ontology(arguments.ontology), arguments.reason);
 }
 
 RunOptions run_options(const SuiteArguments& arguments) {
@@ -48,5 +54,15 @@ RunOptions run_options(const SuiteArguments& arguments) {
   options.stop = &interrupted;
   return options;
 }
+
+std::string options_stamp(const SuiteArguments& arguments) {
+  SuiteArguments copy = arguments;
+  OptionList list;
+  list.add_group("perceive", copy.perceive);
+  list.add_group("reason", copy.reason);
+  return sha256(list.to_json().dump() + ontology_to_sdl(find_ontology(arguments.ontology)));
+}
+
+std::string program_stamp() { return sha256(read_file("/proc/self/exe")); }
 
 }  // namespace scanchor::apps

@@ -17,6 +17,7 @@ void add_all_verbs(CLI::App& root, ExitCodeSlot& code) {
   add_baseline(root, code);
   add_sweep(root, code);
   add_blame(root, code);
+  add_shrink(root, code);
 }
 
 }  // namespace scanchor::apps

@@ -104,7 +104,7 @@ Verdict judge(const GateMetric& metric, const GateOptions& options, double level
   return Verdict::inconclusive;
 }
 
-GateMetric measure(const PairedCounts& counts, double level, const GateOptions& options) {
+GateMetric measure(const PairedCounts& counts, double level, const GateOptions& options, double p) {
   GateMetric metric;
   metric.name = counts.name;
   metric.before = pooled_value(counts, counts.before);
@@ -112,7 +112,7 @@ GateMetric measure(const PairedCounts& counts, double level, const GateOptions& 
   // Nothing changed in any scene: nothing to draw.
   if (counts.before == counts.after) return metric;
   metric.change = bca_interval(counts, 1.0 - 2.0 * level, options.replicates, options.seed);
-  metric.p = sign_flip_p(counts, options.replicates, options.seed);
+  metric.p = p;
   return metric;
 }
 
@@ -123,6 +123,8 @@ void GateOptions::describe(OptionList& list) {
   list.add("alpha", alpha, "1", "share of false alarms of the whole gate, at most", 1e-6, 0.49);
   list.add("replicates", replicates, "", "of the bootstrap and the sign flips", 100, 10000000);
   list.add("seed", seed, "of the bootstrap and the sign flips");
+  list.add("correction", correction, "of the p-values for several metrics",
+           {"westfall-young", "holm"});
   list.add("strict", strict, "inconclusive is exit code 5");
 }
 
@@ -224,11 +226,13 @@ GateReport compare_runs(const RunResult& before, const RunResult& after, const G
   report.scenes = rows.size();
   if (rows.empty()) throw Error(ExitCode::nothing_measured, "the two runs have no scene in common");
   std::vector<PairedCounts> counts;
-  for (const auto& name : options.metrics) {
+  for (const auto& name : options.metrics)
     counts.push_back(paired_counts(name, first, second, after.protocol));
-    report.gated.push_back(measure(counts.back(), alpha, options));
-  }
-  const auto adjusted = step_down_p(counts, options.replicates, options.seed);
+  std::vector<double> single;
+  auto adjusted = step_down_p(counts, options.replicates, options.seed, &single);
+  if (options.correction == "holm") adjusted = holm_adjust(single);
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    report.gated.push_back(measure(counts[i], alpha, options, single[i]));
   bool regressed = !report.newly_failed.empty(), inconclusive = false,
        improved = !report.gated.empty();
   for (std::size_t i = 0; i < report.gated.size(); ++i) {
@@ -251,7 +255,8 @@ GateReport compare_runs(const RunResult& before, const RunResult& after, const G
     if (one.before == one.after) continue;
     GateOptions quick = options;
     quick.replicates = std::min(options.replicates, 2000);
-    report.classes.push_back(measure(one, alpha, quick));
+    report.classes.push_back(
+        measure(one, alpha, quick, sign_flip_p(one, quick.replicates, quick.seed)));
   }
   std::stable_sort(
       report.classes.begin(), report.classes.end(),

@@ -22,8 +22,9 @@ struct GateOptions {
       0.05;  ///< one-sided error rate of the whole gate: at most this share of false alarms
   int replicates = 10000;  ///< of the bootstrap and of the sign flips
   std::uint64_t seed = 1;
-  bool class_details = true;  ///< F1 by class for the report
-  bool strict = false;        ///< inconclusive is exit code 5 instead of 0
+  std::string correction = "westfall-young";  ///< for several metrics; or "holm"
+  bool class_details = true;                  ///< F1 by class for the report
+  bool strict = false;                        ///< inconclusive is exit code 5 instead of 0
   std::vector<std::string> metrics = {"objects.f1", "panoptic.pq", "points.miou",
                                       "planes.f1"};  ///< names of gate_metrics
   void describe(OptionList& list);
@@ -37,7 +38,7 @@ struct GateMetric {
   double before = 0, after = 0;
   Interval change;        ///< BCa, confidence 1 - 2 alpha: its upper end is the one-sided bound
   double p = 1;           ///< sign flip, one-sided
-  double p_adjusted = 1;  ///< stepped down over the gated metrics (step_down_p)
+  double p_adjusted = 1;  ///< stepped down over the gated metrics (GateOptions::correction)
   Verdict verdict = Verdict::inconclusive;
   [[nodiscard]] double difference() const { return after - before; }
 };

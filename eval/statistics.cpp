@@ -160,7 +160,7 @@ double sign_flip_p(const PairedCounts& counts, int permutations, std::uint64_t s
 }
 
 std::vector<double> step_down_p(const std::vector<PairedCounts>& metrics, int permutations,
-                                std::uint64_t seed) {
+                                std::uint64_t seed, std::vector<double>* single) {
   const std::size_t many = metrics.size();
   // For each metric the p-value that each exchange would have had, the observed one first.
   std::vector<std::vector<double>> p(many);
@@ -174,6 +174,10 @@ std::vector<double> step_down_p(const std::vector<PairedCounts>& metrics, int pe
           std::upper_bound(sorted.begin(), sorted.end(), value + slack) - sorted.begin();
       p[k].push_back(static_cast<double>(upto) / static_cast<double>(sorted.size()));
     }
+  }
+  if (single) {
+    single->clear();
+    for (const auto& own : p) single->push_back(own[0]);
   }
   std::vector<std::size_t> order(many);
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -53,9 +53,10 @@ std::vector<double> flipped_differences(const PairedCounts& counts, int permutat
 /// Holm's step-down over several metrics of the same scenes, with the dependence between the
 /// metrics taken from the exchanges: Westfall and Young, "Resampling-based multiple testing", 1993,
 /// algorithm 2.8 (minP). Holds the error rate of the family as Holm's does, without the price for
-/// metrics that rise and fall together. Adjusted one-sided p-values in the order of the input.
+/// metrics that rise and fall together. Adjusted one-sided p-values in the order of the input;
+/// `single`, if given: those before the adjustment, as sign_flip_p gives them.
 std::vector<double> step_down_p(const std::vector<PairedCounts>& metrics, int permutations,
-                                std::uint64_t seed);
+                                std::uint64_t seed, std::vector<double>* single = nullptr);
 
 /// Holm's step-down adjusted p-values (Scandinavian Journal of Statistics 6, 1979), in the order of
 /// the input.

@@ -114,6 +114,10 @@ SweepResult sweep(const Suite& suite, const std::vector<Axis>& axes, const Sweep
       result.interrupted = true;
       break;
     }
+    if (!options.points.has(static_cast<int>(n))) {
+      ++result.elsewhere;
+      continue;
+    }
     SweepPoint point;
     std::size_t rest = n;
     std::vector<std::pair<std::string, double>> values(axes.size());
@@ -164,6 +168,34 @@ BreakingPoint breaking_point(const Suite& suite, const Axis& range, const std::s
   found.value = crossing(value, limit);
   found.interval = {crossing(lower, limit), crossing(upper, limit)};
   return found;
+}
+
+std::vector<BreakingPoint> breaking_points(const Suite& suite, const Axis& range,
+                                           const std::vector<std::string>& metrics, double limit,
+                                           const PointRunner& runner, double resolution,
+                                           int replicates) {
+  // Bisections of the same range ask for the same values again and again.
+  std::map<std::string, RunResult> known;
+  const PointRunner shared = [&](const Suite& point) -> RunResult {
+    const std::string key = data_stamp(point, "");
+    const auto found = known.find(key);
+    if (found != known.end()) return found->second;
+    return known.emplace(key, runner(point)).first->second;
+  };
+  std::vector<BreakingPoint> points;
+  for (const auto& metric : metrics)
+    points.push_back(breaking_point(suite, range, metric, limit, shared, resolution, replicates));
+  return points;
+}
+
+std::vector<std::string> class_metrics(const RunResult& run, std::int64_t least) {
+  std::vector<std::string> names;
+  for (const auto& info : class_list()) {
+    const auto c = static_cast<std::size_t>(info.id);
+    if (c < run.pooled.objects.classes.size() && run.pooled.objects.classes[c].truths >= least)
+      names.push_back("objects.f1." + std::string(info.name));
+  }
+  return names;
 }
 
 std::vector<EffectCost> rank_effects(const Suite& suite, const std::vector<Axis>& axes,

@@ -33,9 +33,11 @@ struct SweepPoint {
 };
 
 struct SweepResult {
+  std::string method;  ///< name
   std::vector<Axis> axes;
   std::vector<SweepPoint> points;  ///< last axis fastest
   bool interrupted = false;
+  std::size_t elsewhere = 0;  ///< points that belong to other shards
 };
 
 struct SweepOptions {
@@ -44,7 +46,11 @@ struct SweepOptions {
                                       "panoptic.pq", "points.miou",    "planes.f1"};
   int replicates = 2000;
   std::filesystem::path
-      folder;  ///< finished points are kept there and found again; empty: not kept
+      folder;    ///< finished points are kept there and found again; empty: not kept
+  Shard points;  ///< of the points; those of other shards are left out
+  /// What else decides the counts of a point: the program, options of the method. Points that were
+  /// kept under another stamp are not found.
+  std::string stamp;
   std::function<void(std::size_t done, std::size_t total, const SweepPoint&)> progress;
 };
 
@@ -54,6 +60,10 @@ double value_of(const RunResult& run, const std::string& metric);
 /// The run of one set of values: by default run_suite with the suite's options set. Replaceable for
 /// tests and other sources of runs.
 using PointRunner = std::function<RunResult(const Suite& suite)>;
+
+/// Runs a method over a suite; finished runs are kept in SweepOptions::folder, each as a file named
+/// after everything that decides its counts, and found again.
+PointRunner kept_runs(const Method& method, const SweepOptions& options);
 
 /// All combinations of the axes' values. The scenes are the same at every point (same seeds), so
 /// the points are paired.
@@ -97,9 +107,20 @@ std::vector<EffectCost> rank_effects(const Suite& suite, const std::vector<Axis>
                                      const std::string& metric, const PointRunner& runner,
                                      int replicates = 2000);
 
+/// The same for several metrics of the same runs, one bisection each; runs are shared between them.
+std::vector<BreakingPoint> breaking_points(const Suite& suite, const Axis& range,
+                                           const std::vector<std::string>& metrics, double limit,
+                                           const PointRunner& runner,
+                                           double resolution = 1.0 / 64.0, int replicates = 2000);
+
+/// F1 of each class of which a run has at least `least` things that count: "objects.f1.desk", ...
+std::vector<std::string> class_metrics(const RunResult& run, std::int64_t least);
+
 /// Rows for a plot: values of the axes, then for each metric the value and, where known, low and
 /// high.
 nlohmann::ordered_json sweep_to_json(const SweepResult& result);
 std::string sweep_to_csv(const SweepResult& result);
+/// Several methods over the same axes: the first as above, all of them under "methods".
+nlohmann::ordered_json sweeps_to_json(const std::vector<SweepResult>& results);
 
 }  // namespace scanchor

@@ -16,29 +16,35 @@ std::string number(double value) {
 
 }  // namespace
 
-SweepResult sweep(const Suite& suite, const std::vector<Axis>& axes, const Method& method,
-                  const SweepOptions& options) {
+PointRunner kept_runs(const Method& method, const SweepOptions& options) {
   if (!options.folder.empty()) make_folder(options.folder);
-  return sweep(suite, axes, options, [&](const Suite& point) {
-    // A finished point is a file named after everything that decides its counts.
+  return [=](const Suite& point) {
     const std::string key =
         data_stamp(point, options.run.split) + method.name + protocol_stamp(options.run.protocol) +
         std::to_string(options.run.scenes) + "/" + std::to_string(options.run.first_scene) + "/" +
         std::to_string(options.run.shard.index) + "/" + std::to_string(options.run.shard.count) +
-        "/" + std::to_string(point.scenes);
+        "/" + std::to_string(point.scenes) + "/" + options.stamp;
     const auto file = options.folder / ("point-" + sha256(key).substr(0, 16) + ".json");
     if (!options.folder.empty() && std::filesystem::exists(file))
       return run_from_json(read_json(file), file.string());
     RunResult run = run_suite(point, method, options.run);
     if (!options.folder.empty() && !run.interrupted) write_json(file, run_to_json(run));
     return run;
-  });
+  };
+}
+
+SweepResult sweep(const Suite& suite, const std::vector<Axis>& axes, const Method& method,
+                  const SweepOptions& options) {
+  SweepResult result = sweep(suite, axes, options, kept_runs(method, options));
+  result.method = method.name;
+  return result;
 }
 
 Json sweep_to_json(const SweepResult& result) {
   Json json = Json::object();
   json["format"] = "scanchor-sweep";
   json["schema"] = 1;
+  if (!result.method.empty()) json["method"] = result.method;
   Json axes = Json::array();
   for (const auto& axis : result.axes) {
     Json one = Json::object();
@@ -57,17 +63,33 @@ Json sweep_to_json(const SweepResult& result) {
     for (const auto& [name, value] : metrics(point.run.pooled, point.run.protocol))
       all[name] = value;
     one["metrics"] = std::move(all);
-    Json intervals = Json::object();
+    Json intervals = Json::object(), gated = Json::object();
     for (const auto& [name, interval] : point.intervals) {
       Json bounds = Json::array();
       bounds.push_back(interval.low);
       bounds.push_back(interval.high);
       intervals[name] = std::move(bounds);
+      gated[name] = value_of(point.run, name);
     }
+    one["gated"] = std::move(gated);
     one["intervals"] = std::move(intervals);
     points.push_back(std::move(one));
   }
   json["points"] = std::move(points);
+  return json;
+}
+
+Json sweeps_to_json(const std::vector<SweepResult>& results) {
+  Json json = sweep_to_json(results.front());
+  Json methods = Json::array();
+  for (const auto& result : results) {
+    Json one = Json::object();
+    const Json whole = sweep_to_json(result);
+    one["method"] = result.method;
+    one["points"] = whole.at("points");
+    methods.push_back(std::move(one));
+  }
+  json["methods"] = std::move(methods);
   return json;
 }
 

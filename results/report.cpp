@@ -13,6 +13,7 @@
 #include "results/image.hpp"
 #include "results/pack.hpp"
 #include "results/report_scene.hpp"
+#include "results/report_sweeps.hpp"
 #include "sensors/scan.hpp"
 
 namespace scanchor {
@@ -69,6 +70,7 @@ void write_report(const fs::path& run_folder, const fs::path& html, const Report
   const std::string title =
       options.title.empty() ? "Scanchor: " + data.at("suite").get<std::string>() : options.title;
   data["title"] = title;
+  data["sweeps"] = read_report_sweeps(folder, options.sweeps);
 
   Json& scenes = data.at("scenes");
   const double share = options.scene_megabytes * 1e6 / std::max<double>(1.0, double(scenes.size()));

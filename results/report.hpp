@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 namespace scanchor {
 
@@ -12,7 +13,8 @@ struct ReportOptions {
   std::string title;  ///< empty: made of the run
   std::filesystem::path
       baseline;  ///< folder or summary.json of another run to compare with; empty: none
-  int points_per_scene = 30000;   ///< most points of a scene in its 3D view
+  std::vector<std::filesystem::path> sweeps;  ///< folders of sweeps to show as curves
+  int points_per_scene = 30000;               ///< most points of a scene in its 3D view
   double scene_megabytes = 60.0;  ///< of all 3D views together: many scenes have fewer points each
   int thumbnails = 24;            ///< pictures in the gallery
 };

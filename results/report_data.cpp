@@ -1,13 +1,12 @@
 // The numbers of the report, from summary.json to what the page's script reads.
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "core/error.hpp"
 #include "core/json.hpp"
 #include "eval/score.hpp"
 #include "results/color.hpp"
 #include "results/report.hpp"
+#include "results/score_plots.hpp"
 
 namespace scanchor {
 namespace {
@@ -52,21 +51,13 @@ Json confusion(const PointScore& points) {
 
 Json reliability(const LabelScore& labels) {
   Json rows = Json::array();
-  for (const ReliabilityBin& bin : labels.reliability) {
-    if (bin.count == 0) continue;
-    const double n = double(bin.count);
-    const double right = double(bin.right) / n;
-    // Wilson's 95 % interval (JASA 22, 1927): also for few labels and for shares of 0 and 1.
-    const double z = 1.959963984540054;
-    const double middle = (right + z * z / (2 * n)) / (1 + z * z / n);
-    const double half =
-        z / (1 + z * z / n) * std::sqrt(right * (1 - right) / n + z * z / (4 * n * n));
+  for (const ReliabilityPoint& point : reliability_points(labels)) {
     Json row = Json::object();
-    row["stated"] = bin.probability.value() / n;
-    row["right"] = right;
-    row["low"] = middle - half;
-    row["high"] = middle + half;
-    row["count"] = bin.count;
+    row["stated"] = point.stated;
+    row["right"] = point.right;
+    row["low"] = point.low;
+    row["high"] = point.high;
+    row["count"] = std::int64_t(point.count);
     rows.push_back(std::move(row));
   }
   return rows;

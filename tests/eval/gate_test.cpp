@@ -79,6 +79,19 @@ TEST(Gate, CatchesOnePointWithTwoHundredScenes) {
   EXPECT_GE(alarms(200, 0.01, 200), 143);
 }  // 77.7 % measured - 2 standard deviations
 
+TEST(Gate, HolmIsOfferedAndChargesMore) {
+  const RunResult before = synthetic(60, 0.7, 1), after = synthetic(60, 0.68, 2);
+  GateOptions holm = quick();
+  holm.correction = "holm";
+  const auto stepped = compare_runs(before, after, quick());
+  const auto plain = compare_runs(before, after, holm);
+  for (std::size_t i = 0; i < stepped.gated.size(); ++i) {
+    EXPECT_EQ(plain.gated[i].p, stepped.gated[i].p);
+    EXPECT_GE(plain.gated[i].p_adjusted, stepped.gated[i].p_adjusted);
+  }
+  EXPECT_GT(plain.gated[0].p_adjusted, 1.5 * stepped.gated[0].p_adjusted);
+}
+
 TEST(Gate, SameRunIsNotWorseAndNothingIsDrawn) {
   const RunResult run = synthetic(20, 0.7, 1);
   const auto report = compare_runs(run, run, quick());

@@ -1,0 +1,29 @@
+#pragma once
+// The pictures of a sweep: curves over one option, maps over two, and which effect costs most.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "eval/sweep.hpp"
+#include "results/plot.hpp"
+
+namespace scanchor {
+
+/// All metrics of one method over the only axis, each with its 95 % interval.
+VectorPicture sweep_plot(const SweepResult& sweep);
+/// One metric of several methods over the only axis.
+VectorPicture methods_plot(const std::vector<SweepResult>& sweeps, const std::string& metric);
+/// One metric over two axes; the first goes upwards.
+VectorPicture sweep_map(const SweepResult& sweep, const std::string& metric);
+/// What each effect costs at its largest, in points of the metric.
+VectorPicture ranking_plot(const std::vector<EffectCost>& costs, const std::string& metric);
+
+/// Those that the axes allow, as SVG and PNG; one axis: "scores" of the first method and, with
+/// several methods, one file a metric; two axes: one map a method of the first metric. Points that
+/// belong to other shards must not be missing. Returns the SVG files.
+std::vector<std::filesystem::path> write_sweep_plots(const std::filesystem::path& folder,
+                                                     const std::vector<SweepResult>& sweeps,
+                                                     const std::vector<std::string>& metrics);
+
+}  // namespace scanchor
