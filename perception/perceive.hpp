@@ -6,6 +6,7 @@
 
 #include "cloud/point_cloud.hpp"
 #include "core/options.hpp"
+#include "perception/paper_planes.hpp"
 #include "perception/surface.hpp"
 
 namespace scanchor {
@@ -16,6 +17,7 @@ struct PerceiveOptions {
   double body_radius = -1.0;  ///< [m] returns nearer to a known sensor position are its own body;
                               ///< -1: found from the cloud
   bool shapes = true;         ///< false: stop after the planes
+  PaperOptions paper;         ///< of the method "paper"
   void describe(OptionList& list);
 };
 
