@@ -105,7 +105,7 @@ Surfaces find_planes(const PointCloud& cloud, const PerceiveOptions& options) {
   surfaces.point_spacing = input.spacing;
 
   if (options.method == "paper") {
-    collect_surfaces(cloud, input, paper_planes(input.cloud, input.sigma, PaperOptions{}),
+    collect_surfaces(cloud, input, paper_planes(input.cloud, input.sigma, options.paper),
                      surfaces);
     return surfaces;
   }
