@@ -273,19 +273,40 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
     }
   }
 
-  // Faces of one thing: they meet at a right angle and are of one class that may have several
-  // faces.
+  // Faces of one thing: they meet at a right angle or lie in one plane, and are of one class that
+  // may have several faces. The largest one stands for the thing.
+  std::vector<std::size_t> faces;
   for (std::size_t i = 0; i < matcher.surface_count(); ++i) {
     const int c = find(entities[i].label);
-    if (c < 0 || !ontology.classes[c].several_faces || entities[i].whole >= 0) continue;
-    for (std::size_t j = i + 1; j < matcher.surface_count(); ++j) {
-      if (entities[j].label != entities[i].label || entities[j].whole >= 0) continue;
-      if (relate({Relation::orthogonal, {}}, items[i], items[j], {}).likelihood < 0.5) continue;
-      if (relate({Relation::touching, {}}, items[i], items[j], {}).likelihood < 0.5) continue;
-      entities[j].whole = static_cast<std::int32_t>(i);
-      for (const auto s : entities[j].surfaces) {
-        entities[i].surfaces.push_back(s);
-        labelling.entity_of_surface[s] = static_cast<std::int32_t>(i);
+    if (c >= 0 && ontology.classes[c].several_faces && entities[i].whole < 0) faces.push_back(i);
+  }
+  std::stable_sort(faces.begin(), faces.end(), [&](std::size_t a, std::size_t b) {
+    return entities[a].area > entities[b].area;
+  });
+  std::vector<char> taken(matcher.surface_count(), 0);
+  for (const auto first : faces) {
+    if (taken[first] != 0) continue;
+    std::vector<std::size_t> thing = {first};
+    taken[first] = 1;
+    for (std::size_t k = 0; k < thing.size(); ++k) {
+      for (const auto other : faces) {
+        if (taken[other] != 0 || entities[other].label != entities[first].label) continue;
+        const Item& a = items[thing[k]];
+        const Item& b = items[other];
+        if (a.box.exteriorDistance(b.box) > 0.2) continue;
+        const double bend = std::max(relate({Relation::orthogonal, {}}, a, b, {}).likelihood,
+                                     relate({Relation::coplanar, {}}, a, b, {}).likelihood);
+        if (bend < 0.5 || relate({Relation::touching, {}}, a, b, {}).likelihood < 0.5) continue;
+        taken[other] = 1;
+        thing.push_back(other);
+      }
+    }
+    for (std::size_t k = 1; k < thing.size(); ++k) {
+      auto& face = entities[thing[k]];
+      face.whole = static_cast<std::int32_t>(first);
+      for (const auto s : face.surfaces) {
+        entities[first].surfaces.push_back(s);
+        labelling.entity_of_surface[s] = static_cast<std::int32_t>(first);
       }
     }
   }

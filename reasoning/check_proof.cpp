@@ -118,16 +118,17 @@ class Checker {
       fault(id, claim.text, "names entity " + std::to_string(t) + ", which is not there");
       return;
     }
-    if (clause.usually || clause.kind == ClauseKind::negation || clause.kind == ClauseKind::group)
-      return;
+    if (clause.kind == ClauseKind::negation || clause.kind == ClauseKind::group) return;
+    // Context that does not hold may name anything.
+    if (clause.usually && claim.likelihood < gate) return;
     const Entity& target = labelling_.entities[static_cast<std::size_t>(t)];
     const int wanted = ontology_.find(clause.target);
     bool among = false;
     for (const auto& p : target.classes) among = among || ontology_.find(p.name) == wanted;
     if (!among) {
       fault(id, claim.text, "target " + std::to_string(t) + " is no " + clause.target);
-    } else if (target.label == clause.target) {
-      check(t, clause.target);
+    } else if (!clause.usually && target.label == clause.target) {
+      check(t, clause.target);  // context may go in circles
     }
   }
 

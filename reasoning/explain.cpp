@@ -118,6 +118,7 @@ void needed_value(const Clause& clause, const Item& item, const ClauseValue& val
     }
     case ClauseKind::extremum:
       if (clause.extremum == Extremum::outermost) nearest_limit(-INFINITY, 0.02);
+      if (clause.extremum == Extremum::cornered) nearest_limit(-INFINITY, 0.06);
       if (clause.extremum == Extremum::lowest || clause.extremum == Extremum::highest)
         nearest_limit(-INFINITY, 0.10);
       return;
@@ -170,6 +171,9 @@ void needed_value(const Clause& clause, const Item& item, const ClauseValue& val
       break;
     case Relation::aligned:
       nearest_limit(-INFINITY, 0.15);
+      break;
+    case Relation::stacked:
+      nearest_limit(0.6, INFINITY);
       break;
     case Relation::coplanar:
       nearest_limit(-INFINITY, weakest->range.has_high() ? weakest->range.high : 0.03);

@@ -23,6 +23,9 @@ struct Count {
   }
 };
 
+constexpr int offset_steps = 200;
+constexpr double offset_strength = 1.0;  // examples that hold a prior where it was counted
+
 struct ClauseCount {
   Count hit, background;
 };
@@ -120,9 +123,9 @@ Background fit_backgrounds(const Ontology& ontology, const std::vector<TrainingS
           if (matcher.is_group_class(static_cast<int>(c)) != item.group) continue;
           const auto& own = current.classes[c].clauses;
           const bool member = is == static_cast<int>(c);
-          // The background is that of things which are no obvious strangers: those that pass all
-          // other required clauses count in full, others by how nearly they do, since only they are
-          // ever weighed against the class.
+          // Legs and edges of a desk are the desk's and meet nothing that is said of it. A class is
+          // taught by what may be taken for it: what passes its required clauses.
+          if (member && matcher.belief(static_cast<int>(c), item.id) <= 0.0) continue;
           for (std::size_t i = 0; i < own.size(); ++i) {
             const double value = matcher.evaluate(static_cast<int>(c), own[i], item.id).value;
             auto& count = member ? counts[c][i].hit : counts[c][i].background;
@@ -188,6 +191,44 @@ Background fit_backgrounds(const Ontology& ontology, const std::vector<TrainingS
       (loss(a) < loss(b) ? high : low) = loss(a) < loss(b) ? b : a;
     }
     background.temperature = 0.5 * (low + high);
+    // Priors are counted among all surfaces, but only candidates are ever weighed, and clauses that
+    // say nearly the same make some classes louder than others. So each class's prior is scaled
+    // until it is expected as often among its candidates as it is there: the maximum of the
+    // likelihood of the labels (logistic regression with one offset a class).
+    std::vector<double> offset(classes);
+    for (std::size_t c = 0; c < classes; ++c) offset[c] = std::log(background.priors[c].second);
+    const double none = std::log(background.unknown_prior);
+    for (int step = 0; step < offset_steps; ++step) {
+      std::vector<double> there(classes, 0.0);
+      std::vector<double> expected(classes, 0.0);
+      for (const auto& example : examples) {
+        const std::size_t number = example.scores.size();
+        double top = none;
+        std::vector<double> s(number);
+        for (std::size_t k = 0; k < number; ++k) {
+          s[k] = offset[static_cast<std::size_t>(example.class_of[k])] +
+                 background.temperature * example.scores[k];
+          top = std::max(top, s[k]);
+        }
+        double all = std::exp(none - top);
+        for (const double score : s) all += std::exp(score - top);
+        for (std::size_t k = 0; k < number; ++k) {
+          const auto c = static_cast<std::size_t>(example.class_of[k]);
+          expected[c] += std::exp(s[k] - top) / all;
+          if (example.class_of[k] == example.truth) there[c] += 1.0;
+        }
+      }
+      for (std::size_t c = 0; c < classes; ++c) {
+        offset[c] += std::log((there[c] + offset_strength) / (expected[c] + offset_strength));
+      }
+    }
+    // Only their ratios matter.
+    double sum = std::exp(none);
+    for (const double o : offset) sum += std::exp(o);
+    background.unknown_prior = std::exp(none) / sum;
+    for (std::size_t c = 0; c < classes; ++c) {
+      background.priors[c].second = std::max(std::exp(offset[c]) / sum, 1e-9);
+    }
     apply_background(current, background);
   }
   return background;

@@ -33,7 +33,8 @@ class Neighbours {
              const Clause& clause)
       : count_(sorted.size()) {
     for (const auto& term : clause.pairwise)
-      stacked_ = stacked_ || term.relation == Relation::aligned;
+      stacked_ =
+          stacked_ || term.relation == Relation::aligned || term.relation == Relation::stacked;
     for (std::size_t i = 0; stacked_ && i < sorted.size(); ++i)
       cells_[cell(items[sorted[i].item], 0, 0)].push_back(i);
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "reasoning/background.hpp"
+#include "reasoning/corner.hpp"
 #include "reasoning/groups.hpp"
 #include "reasoning/likelihood.hpp"
 
@@ -127,6 +128,7 @@ Matcher::Matcher(const Ontology& ontology, std::vector<Item> items, const Surrou
   }
   index_ = UnaryIndex(items_, horizontal_, vertical_);
   group_value_.assign(items_.size(), 0.0);
+  cornered_.resize(items_.size());
   low_level_ = end_level(items_, horizontal_, 1.0);
   high_level_ = end_level(items_, horizontal_, -1.0);
   double total = 0.0;
@@ -177,6 +179,13 @@ double Matcher::outside_share(std::int32_t id) const {
   return total > 0.0 ? behind / total : 0.0;
 }
 
+const Evidence& Matcher::corner_of(std::int32_t id) const {
+  // Looked for once, and only for what passed the clauses in front.
+  auto& corner = cornered_[static_cast<std::size_t>(id)];
+  if (!corner) corner = cornered(items_, items_[id], around_);
+  return *corner;
+}
+
 ClauseValue Matcher::evaluate_unary(const Clause& clause, std::int32_t id) const {
   const Item& item = items_[id];
   Evidence evidence;
@@ -211,6 +220,8 @@ ClauseValue Matcher::evaluate_unary(const Clause& clause, std::int32_t id) const
       } else if (clause.extremum == Extremum::highest) {
         const double under = high_level_ - item.z;
         evidence = {upper_likelihood(under, extremum_tolerance, s), under, sigma, "m"};
+      } else if (clause.extremum == Extremum::cornered) {
+        evidence = corner_of(id);
       } else if (clause.extremum == Extremum::outermost) {
         const double share = outside_share(id);
         evidence = {upper_likelihood(share, 0.02, 0.01), share, 0.0, "1"};
@@ -313,6 +324,7 @@ std::vector<std::int32_t> Matcher::find_groups(const Clause& clause) {
     ids.push_back(item.id);
     items_.push_back(std::move(item));
     group_value_.push_back(group.probability);
+    cornered_.emplace_back();
   }
   return ids;
 }

@@ -2,6 +2,7 @@
 // From items and descriptions to beliefs: candidates by their own features, then relations in the
 // order of need, then groups.
 
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -76,6 +77,7 @@ class Matcher {
   [[nodiscard]] ClauseValue evaluate_relation(const Clause& clause, std::int32_t item) const;
   [[nodiscard]] int target_class(const Clause& clause) const;
   [[nodiscard]] ClauseValue evaluate_largest(int class_index, std::int32_t item) const;
+  [[nodiscard]] const Evidence& corner_of(std::int32_t item) const;
   void evaluate_class(int class_index);
   void evaluate_context(int class_index);
   std::vector<std::int32_t> find_groups(const Clause& clause);
@@ -93,6 +95,7 @@ class Matcher {
   std::vector<std::vector<Candidate>> candidates_;
   std::vector<std::vector<Target>> targets_;                   ///< of a class, falling belief
   std::vector<Evidence> horizontal_, vertical_, rectangular_;  ///< of each surface
+  mutable std::vector<std::optional<Evidence>> cornered_;      ///< of each item, once asked for
   std::vector<double> group_value_;  ///< P(enough members) of each item, groups only
   double low_level_ = 0.0,
          high_level_ = 0.0;  ///< [m] the 1st and 99th percentile of observed area over height

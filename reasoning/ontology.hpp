@@ -31,6 +31,7 @@ enum class Extremum {
   highest,    ///< nothing to speak of lies higher
   outermost,  ///< nothing to speak of lies behind its plane, seen from the middle of the scene
   largest,    ///< no rival of the same class is larger
+  cornered,   ///< another surface meets it at an outer edge, as the faces of a box do
 };
 
 /// A relation between an entity (subject) and a target; reasoning.md section 2.3.
@@ -46,6 +47,8 @@ enum class Relation {
   touching,
   same_size,
   aligned,
+  stacked,  ///< over or under it, the smaller one's footprint within the other's
+
   coplanar,
   higher,
   lower,

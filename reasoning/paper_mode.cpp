@@ -5,6 +5,7 @@
 
 #include "reasoning/assign.hpp"
 #include "reasoning/background.hpp"
+#include "reasoning/corner.hpp"
 #include "reasoning/groups.hpp"
 #include "reasoning/matcher.hpp"
 #include "reasoning/reason.hpp"
@@ -142,7 +143,9 @@ class PaperMatcher {
     const double tolerance = clause.range.has_high() ? clause.range.high : 5.0;
     if (clause.kind == ClauseKind::horizontal) evidence = horizontal(item, around, tolerance);
     if (clause.kind == ClauseKind::vertical) evidence = vertical(item, around, tolerance);
-    if (clause.kind == ClauseKind::extremum) {
+    if (clause.kind == ClauseKind::extremum && clause.extremum == Extremum::cornered) {
+      evidence = cornered(items, item, around);
+    } else if (clause.kind == ClauseKind::extremum) {
       // S18: "the largest horizontal plane with the lowest z-value": within 10 cm of the lowest
       // rival of the same description.
       double lowest = INFINITY;

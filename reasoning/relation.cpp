@@ -141,6 +141,18 @@ Evidence aligned(const Item& a, const Item& b) {
   return {value, distance, measured, "1"};
 }
 
+/// One over the other like boards, drawers or boxes. Shadows and what lies on them cut such things
+/// short, so neither their middles nor their sizes have to agree: the smaller one lies within the
+/// footprint of the other.
+Evidence stacked(const Item& a, const Item& b) {
+  const bool first = a.footprint.area() <= b.footprint.area();
+  const double within = first ? footprint_overlap(a.footprint, b.footprint)
+                              : footprint_overlap(b.footprint, a.footprint);
+  const double apart = lower_likelihood(std::abs(a.z - b.z), 0.05,
+                                        std::sqrt(sqr(a.z_sigma) + sqr(b.z_sigma) + sqr(0.01)));
+  return {lower_likelihood(within, 0.6, 0.1) * apart, within, 0.0, "1"};
+}
+
 Evidence coplanar(const Item& a, const Item& b, double limit) {
   const auto offset = [](const Item& plane, const Item& other) {
     const Eigen::Vector3d d = other.centroid - plane.centroid;
@@ -303,6 +315,8 @@ Evidence relate(const RelationTerm& term, const Item& a, const Item& b, const Su
       return same_size(a, b);
     case Relation::aligned:
       return aligned(a, b);
+    case Relation::stacked:
+      return stacked(a, b);
     case Relation::coplanar:
       return coplanar(a, b, term.range.has_high() ? term.range.high : 0.03);
     case Relation::higher:

@@ -18,6 +18,7 @@ const std::vector<RelationWords>& relation_vocabulary() {
       {Relation::touching, "touching", "touching", true},
       {Relation::same_size, "same size as", "same size", true},
       {Relation::aligned, "vertically aligned with", "vertically aligned", true},
+      {Relation::stacked, "stacked with", "stacked", true},
       {Relation::coplanar, "coplanar with", "coplanar", true},
       {Relation::higher, "higher than", "", false},
       {Relation::lower, "lower than", "", false},
@@ -46,10 +47,9 @@ const std::vector<FeatureWord>& feature_vocabulary() {
 
 const std::vector<ExtremumWord>& extremum_vocabulary() {
   static const std::vector<ExtremumWord> words = {
-      {Extremum::lowest, "lowest"},
-      {Extremum::highest, "highest"},
-      {Extremum::outermost, "outermost"},
-      {Extremum::largest, "largest"},
+      {Extremum::lowest, "lowest"},       {Extremum::highest, "highest"},
+      {Extremum::outermost, "outermost"}, {Extremum::largest, "largest"},
+      {Extremum::cornered, "cornered"},
   };
   return words;
 }

@@ -41,11 +41,16 @@ TEST_F(CheckProof, FindsWhatWasForged) {
   EXPECT_GT(forged([](Labelling& l) { l.entities[7].proof[0].measured += 0.01; }), 0U);
   EXPECT_GT(forged([](Labelling& l) { l.entities[7].proof.pop_back(); }), 0U);
   EXPECT_GT(forged([](Labelling& l) { l.entities[7].proof[1].text = "extension 0.1..9 m"; }), 0U);
-  EXPECT_GT(forged([](Labelling& l) { l.entities[7].proof[5].targets = {1}; }), 0U)
+  std::size_t above = 0;
+  const auto& proof = labelling.entities[7].proof;
+  while (above < proof.size() && proof[above].text != "usually above a desk") ++above;
+  ASSERT_LT(above, proof.size());
+  ASSERT_EQ(proof[above].targets, std::vector<std::int32_t>{6});
+  EXPECT_GT(forged([&](Labelling& l) { l.entities[7].proof[above].targets = {1}; }), 0U)
       << "a wall is no desk";
   EXPECT_GT(forged([](Labelling& l) { l.entities[7].proof[1].likelihood = 0.01; }), 0U);
   EXPECT_GT(forged([](Labelling& l) { l.entities[7].label = "desk"; }), 0U);
-  EXPECT_GT(forged([](Labelling& l) { l.entities[6].proof.back().measured += 0.2; }), 0U)
+  EXPECT_GT(forged([](Labelling& l) { l.entities[0].proof[0].measured += 0.5; }), 0U)
       << "through the target";
   EXPECT_EQ(check_proof(surfaces, ontology, labelling, 999).size(), 1U);
 }

@@ -87,6 +87,18 @@ TEST(Relation, CoplanarIgnoresDistanceWithinThePlane) {
   EXPECT_LT(value(Relation::coplanar, a, {{2, 0.3, 1}, {0, 1, 0}, {1, 0, 0}, 1.0, 1.0}), 0.01);
 }
 
+TEST(Relation, StackedNeedsNoCommonMiddle) {
+  const Plate board{{0, 0, 1}, {0, 0, 1}, {1, 0, 0}, 1.0, 0.4};
+  const Plate rest{{0.3, 0.1, 1.4}, {0, 0, 1}, {1, 0, 0}, 0.3, 0.15};
+  EXPECT_GT(value(Relation::stacked, board, rest), 0.95) << "what a shadow left of a board";
+  EXPECT_EQ(value(Relation::stacked, board, rest), value(Relation::stacked, rest, board));
+  EXPECT_LT(value(Relation::aligned, board, rest), 0.05);
+  const Plate aside{{0.9, 0, 1.4}, {0, 0, 1}, {1, 0, 0}, 1.0, 0.4};
+  EXPECT_LT(value(Relation::stacked, board, aside), 0.01);
+  const Plate same_level{{0.3, 0.1, 1.01}, {0, 0, 1}, {1, 0, 0}, 0.3, 0.15};
+  EXPECT_LT(value(Relation::stacked, board, same_level), 0.05);
+}
+
 TEST(Relation, SameSizeForgivesOnlyTheSmallerOneThatIsCut) {
   const Plate a{{0, 0, 1}, {0, 0, 1}, {1, 0, 0}, 1.0, 0.3};
   Plate b = a;
