@@ -12,6 +12,7 @@ void add_all_verbs(CLI::App& root, ExitCodeSlot& code) {
   add_render(root, code);
   add_report(root, code);
   add_figures(root, code);
+  add_gallery(root, code);
   add_fit(root, code);
   add_check(root, code);
   add_baseline(root, code);

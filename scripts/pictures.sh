@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Draws every picture of the docs anew: the demo's first room, and the paper's figures.
+# Draws every picture of the docs anew: the demo's first room, the paper's figures, the gallery.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scanchor=${SCANCHOR:-build/release/bin/scanchor}
@@ -12,4 +12,5 @@ for picture in scene cloud planes labels; do
   cp "$work/demo/00/$picture.png" "docs/pictures/office-$picture.png"
 done
 cp "$work"/figures/*.png docs/pictures/
-ls -l docs/pictures
+"$scanchor" gallery --out docs/gallery --quiet
+ls -l docs/pictures docs/gallery/rooms

@@ -79,9 +79,9 @@ void make_sink(Maker& m) {
   // A worktop with the basins cut out, and the basins below it.
   const int steel = m.material({"stainless steel"});
   const bool two = m.is("two basins");
-  const double half = two ? 0.15 : 0.17;
+  const double half = two ? std::min(0.15, 0.25 * width - 0.05) : 0.17;
   std::vector<double> centers = {m.is("with drainer") ? -0.5 * width + 0.28 : 0.0};
-  if (two) centers = {-0.19, 0.19};
+  if (two) centers = {-half - 0.04, half + 0.04};
   // The panel is made standing and laid down: its x-z plane becomes the x-y plane, its front the
   // top.
   Eigen::Matrix3d lay;

@@ -23,8 +23,8 @@ TEST_P(Help, HasAnExampleAndTheCommonFlags) {
 
 INSTANTIATE_TEST_SUITE_P(Verbs, Help,
                          testing::Values("run", "generate", "label", "segment", "score", "render",
-                                         "explain", "report", "figures", "check", "baseline",
-                                         "sweep", "blame"),
+                                         "explain", "report", "figures", "gallery", "check",
+                                         "baseline", "sweep", "blame"),
                          [](const auto& row) { return std::string(row.param); });
 
 TEST(Help, VersionAndNoVerb) {

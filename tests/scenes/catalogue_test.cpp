@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <set>
 
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "core/json.hpp"
 #include "scenes/truth.hpp"
 #include "tests/scenes/support/scene_checks.hpp"
@@ -129,6 +132,24 @@ TEST(Catalogue, MistakesNameWhatIsKnown) {
             std::string::npos);
   EXPECT_NE(line({"desk", "four legs", 0, {{"width", -1.0}}, 0.0}).find("0 .. 100"),
             std::string::npos);
+}
+
+// docs/gallery is drawn by `scanchor gallery`: nothing may be missing from it.
+TEST(Catalogue, EveryKindAndFamilyIsInTheGallery) {
+  const std::filesystem::path gallery = std::filesystem::path(SCANCHOR_SOURCE_DIR) / "docs/gallery";
+  const std::string page = read_file(gallery / "README.md");
+  const auto expect_picture = [&](const std::string& folder, std::string name) {
+    std::replace(name.begin(), name.end(), ' ', '-');
+    const std::string file = folder + "/" + name + ".png";
+    EXPECT_TRUE(std::filesystem::exists(gallery / file)) << file;
+    EXPECT_NE(page.find("(" + file + ")"), std::string::npos) << file << " is not on the page";
+  };
+  for (const auto& kind : furniture_kinds()) {
+    expect_picture("furniture", kind.name);
+    for (const auto& variant : kind.variants)
+      EXPECT_NE(page.find(variant), std::string::npos) << kind.name << ": " << variant;
+  }
+  for (const auto& family : room_families()) expect_picture("rooms", family);
 }
 
 }  // namespace
