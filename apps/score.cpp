@@ -92,7 +92,7 @@ MethodScore score_files(const Dataset& dataset, const Arguments& arguments,
     for (std::size_t i = 0; i < sequence.scans.size(); ++i) {
       const Scan scan = read_dataset_scan(sequence, i);
       if (file != folder.files.end() && file->sequence_index == s && file->scan_index == i) {
-        const PointPrediction prediction = read_prediction(file->path, scan.cloud.size(), options);
+        const PointPrediction prediction = read_prediction(file->path, scan.cloud, options);
         scored.score.add(score_scan(scan, ours ? &scene : nullptr, prediction, protocol));
         ++file;
       } else {

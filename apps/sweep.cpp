@@ -9,6 +9,7 @@
 #include "core/file.hpp"
 #include "core/progress.hpp"
 #include "eval/blame.hpp"
+#include "eval/gate.hpp"
 #include "eval/sweep.hpp"
 #include "results/score_plots.hpp"
 #include "results/sweep_plots.hpp"
@@ -26,6 +27,9 @@ struct Arguments : SuiteArguments {
   std::string shard = "1/1";
   double limit = 0.5;
 };
+
+/// Of a class, or its F1 says nothing.
+constexpr std::int64_t enough_things = 10;
 
 /// Six metrics and an option fit 80 columns only without the family that all readers know.
 std::string short_name(const std::string& metric) {
@@ -81,11 +85,10 @@ Json breaking_json(const std::vector<BreakingPoint>& points, const std::string& 
 /// --breaking: one metric, or "classes" for F1 of every class that is often enough there.
 std::vector<BreakingPoint> find_breaking_points(const Arguments& arguments, const Suite& suite,
                                                 const Axis& axis, const PointRunner& runner) {
-  constexpr std::int64_t enough = 10;
   std::vector<std::string> names = {arguments.breaking};
   if (arguments.breaking == "classes")
-    names =
-        class_metrics(runner(with_options(suite, {{axis.option, axis.values.front()}})), enough);
+    names = class_metrics(runner(with_options(suite, {{axis.option, axis.values.front()}})),
+                          enough_things);
   return breaking_points(suite, axis, names, arguments.limit, runner);
 }
 
@@ -175,7 +178,12 @@ int run_sweep(Arguments& arguments) {
   const Suite suite = load_suite(arguments);
   std::vector<Axis> axes;
   for (const auto& text : arguments.vary) axes.push_back(parse_axis(text));
+  // What was mistyped is said before hours are spent.
   for (const auto& axis : axes) with_options(suite, {{axis.option, axis.values.front()}});
+  for (const auto& metric : {arguments.rank, arguments.breaking}) {
+    if (!metric.empty() && metric != "classes")
+      paired_counts(metric, {}, {}, find_protocol(arguments.protocol));
+  }
   const std::filesystem::path out = arguments.out;
   make_folder(out);
   SweepOptions options;
@@ -213,6 +221,10 @@ int run_sweep(Arguments& arguments) {
     if (results.size() > 1) say(arguments.common, result.method + ":");
     print_sweep(arguments, result, options.metrics);
   }
+  if (arguments.breaking == "classes" && breaking.empty())
+    say(arguments.common, fmt::format("no class has {} things in these scenes: nothing to say of "
+                                      "where one breaks",
+                                      enough_things));
   for (const auto& point : breaking)
     say(arguments.common, point.metric + ": " + breaking_text(point, axes.front().option));
   say(arguments.common, fmt::format("curves: {0}/sweep.json, {0}/sweep.csv", arguments.out));

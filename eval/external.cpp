@@ -148,7 +148,7 @@ Method external_method(const ExternalOptions& options) {
       if (ended.exit_code != 0)
         fail_data("", "", "exit code " + std::to_string(ended.exit_code) + why);
       if (!fs::exists(output)) fail_data("", "", "left no file" + why);
-      answer.points = read_prediction(output, scan.cloud.size(), options.predictions);
+      answer.points = read_prediction(output, scan.cloud, options.predictions);
     } catch (...) {
       clean();
       throw;

@@ -195,6 +195,7 @@ GateReport compare_runs(const RunResult& before, const RunResult& after, const G
   require_comparable(before.pooled, after.pooled);
   const double alpha = level > 0 ? level : options.alpha;
   GateReport report;
+  report.confidence = 1.0 - 2.0 * alpha;
   report.suite = after.suite;
   report.data = after.data;
   report.protocol = protocol_stamp(after.protocol);

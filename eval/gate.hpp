@@ -52,7 +52,8 @@ struct GateScene {
 
 struct GateReport {
   std::string suite, data, protocol, before_method, after_method;
-  std::size_t scenes = 0;  ///< paired
+  std::size_t scenes = 0;   ///< paired
+  double confidence = 0.9;  ///< of the intervals: two-sided, so that each end is a one-sided bound
   Verdict verdict = Verdict::inconclusive;
   std::vector<GateMetric> gated;
   std::vector<GateMetric>

@@ -1,29 +1,13 @@
 #include <fmt/format.h>
 
 #include "core/json.hpp"
+#include "core/markup.hpp"
 #include "eval/gate.hpp"
 
 namespace scanchor {
 namespace {
 
 std::string points(double value) { return fmt::format("{:+.2f}", 100 * value); }
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else if (static_cast<unsigned char>(c) >= 0x20 || c == '\n')
-      out += c;
-  }
-  return out;
-}
 
 std::string sentence(const GateMetric& m) {
   return fmt::format("{}: {:.2f} -> {:.2f}, {} points [{} .. {}], p = {:.4f}: {}", m.name,
@@ -53,6 +37,7 @@ Json gate_to_json(const GateReport& report) {
   json["format"] = "scanchor-gate";
   json["schema"] = 1;
   json["verdict"] = verdict_word(report.verdict);
+  json["confidence"] = report.confidence;
   json["exit_code"] = static_cast<int>(report.exit_code(false));
   json["suite"] = report.suite;
   json["data"] = report.data;
@@ -100,7 +85,8 @@ std::string gate_to_text(const GateReport& report) {
   std::string text = fmt::format("{} over {} scenes of {}\n", verdict_word(report.verdict),
                                  report.scenes, report.data);
   text += fmt::format("  {:<16} {:>6} {:>6} {:>7} {:>16} {:>6} {}\n", "metric", "before", "after",
-                      "change", "95 % interval", "p", "verdict");
+                      "change", fmt::format("{:.4g} % interval", 100 * report.confidence), "p",
+                      "verdict");
   for (const auto& m : report.gated) {
     text += fmt::format("  {:<16} {:>6.2f} {:>6.2f} {:>7} {:>16} {:>6.4f} {}\n", m.name,
                         100 * m.before, 100 * m.after, points(m.difference()),
@@ -159,32 +145,32 @@ std::string gate_to_junit(const GateReport& report) {
   std::string cases;
   for (const auto& metric : report.gated) {
     cases += fmt::format("    <testcase classname=\"scanchor.{}\" name=\"{}\">",
-                         escaped(report.suite), escaped(metric.name));
+                         escape_markup(report.suite), escape_markup(metric.name));
     if (metric.verdict == Verdict::regressed) {
       ++failures;
-      cases += fmt::format("<failure message=\"{}\"/>", escaped(sentence(metric)));
+      cases += fmt::format("<failure message=\"{}\"/>", escape_markup(sentence(metric)));
     } else if (metric.verdict == Verdict::inconclusive) {
       ++skipped;
-      cases += fmt::format("<skipped message=\"{}\"/>", escaped(sentence(metric)));
+      cases += fmt::format("<skipped message=\"{}\"/>", escape_markup(sentence(metric)));
     } else {
-      cases += fmt::format("<system-out>{}</system-out>", escaped(sentence(metric)));
+      cases += fmt::format("<system-out>{}</system-out>", escape_markup(sentence(metric)));
     }
     cases += "</testcase>\n";
   }
   cases += fmt::format("    <testcase classname=\"scanchor.{}\" name=\"every scan has an answer\">",
-                       escaped(report.suite));
+                       escape_markup(report.suite));
   if (!report.newly_failed.empty()) {
     std::string list;
     for (const auto& line : report.newly_failed) list += line + "\n";
     cases += fmt::format("<failure message=\"{} scans have no answer any more\">{}</failure>",
-                         report.newly_failed.size(), escaped(list));
+                         report.newly_failed.size(), escape_markup(list));
   }
   cases += "</testcase>\n";
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite name=\"scanchor "
       "check {}\" tests=\"{}\" "
       "failures=\"{}\" skipped=\"{}\">\n{}  </testsuite>\n</testsuites>\n",
-      escaped(report.suite), report.gated.size() + 1, failures, skipped, cases);
+      escape_markup(report.suite), report.gated.size() + 1, failures, skipped, cases);
 }
 
 }  // namespace scanchor

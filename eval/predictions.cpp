@@ -89,10 +89,27 @@ std::vector<std::int32_t> whole_numbers(const fs::path& path, const Field& field
   return values;
 }
 
+// Rows in another order cannot be told from labels; from positions they can. A file whose points
+// are all zero carries none.
+void check_positions(const fs::path& path, const PointCloud& cloud, const PointCloud& scan) {
+  const bool carries = std::any_of(cloud.points.begin(), cloud.points.end(),
+                                   [](const Eigen::Vector3d& p) { return p.norm() > 0.0; });
+  for (std::size_t i = 0; carries && i < cloud.size(); ++i) {
+    if (!scan.points[i].allFinite()) continue;
+    // Formats keep floats or a few decimals.
+    const double off = (cloud.points[i] - scan.points[i]).norm();
+    if (off <= 1e-3 + 1e-5 * scan.points[i].norm()) continue;
+    fail_data(path.string(), "point " + std::to_string(i),
+              "lies " + std::to_string(off) + " m from the scan's",
+              "is it another order of points, another scan or another frame?");
+  }
+}
+
 PointPrediction read_cloud_fields(const fs::path& path, std::size_t points,
-                                  const PredictionOptions& options) {
+                                  const PredictionOptions& options, const PointCloud* scan) {
   const PointCloud cloud = read_cloud(path);
   check_rows(path, cloud.size(), points);
+  if (scan) check_positions(path, cloud, *scan);
   std::vector<std::string> names;
   for (const auto& field : cloud.fields) names.push_back(field.name);
   const Field* label = cloud.find(options.label_field);
@@ -232,7 +249,7 @@ std::vector<std::pair<std::int32_t, std::int32_t>> read_label_map(const fs::path
 }
 
 PointPrediction read_prediction(const fs::path& path, std::size_t points,
-                                const PredictionOptions& options) {
+                                const PredictionOptions& options, const PointCloud* scan) {
   const auto ending = path.extension();
   PointPrediction prediction;
   if (ending == ".label")
@@ -240,7 +257,7 @@ PointPrediction read_prediction(const fs::path& path, std::size_t points,
   else if (ending == ".json")
     prediction = read_json_prediction(path, points);
   else if (ending == ".ply" || ending == ".pcd")
-    prediction = read_cloud_fields(path, points, options);
+    prediction = read_cloud_fields(path, points, options, scan);
   else
     fail_data(path.string(), "", "is no prediction",
               "predictions end in .label, .ply, .pcd or .json");
@@ -257,6 +274,11 @@ PointPrediction read_prediction(const fs::path& path, std::size_t points,
               "confidence must lie in 0 .. 1, is " + std::to_string(value));
   }
   return prediction;
+}
+
+PointPrediction read_prediction(const fs::path& path, const PointCloud& scan,
+                                const PredictionOptions& options) {
+  return read_prediction(path, scan.size(), options, &scan);
 }
 
 PredictionFolder find_predictions(const fs::path& folder, const Dataset& dataset,

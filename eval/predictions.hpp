@@ -36,6 +36,11 @@ std::vector<std::pair<std::int32_t, std::int32_t>> read_label_map(
 /// in neither map nor class list (is the label map another one?), a confidence outside 0 .. 1, a
 /// point claimed by two objects, an object id twice.
 PointPrediction read_prediction(const std::filesystem::path& path, std::size_t points,
+                                const PredictionOptions& options = {},
+                                const PointCloud* scan = nullptr);
+/// The same for a known scan: the positions in a PLY or PCD file must be those of its points, in
+/// its order; a file whose positions are all zero has none.
+PointPrediction read_prediction(const std::filesystem::path& path, const PointCloud& scan,
                                 const PredictionOptions& options = {});
 
 /// The file of one scan in a folder of predictions.

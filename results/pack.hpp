@@ -13,8 +13,6 @@ std::string base64(std::string_view bytes);
 std::string deflate(std::string_view bytes);
 /// base64(deflate(text)).
 std::string packed(std::string_view text);
-/// Text for element content and attribute values.
-std::string html_escape(std::string_view text);
 /// JSON that may stand inside a <script> element: no "<" is left in it.
 std::string script_safe(std::string json);
 

@@ -13,6 +13,9 @@ namespace {
 
 constexpr double legend_size = 12.0;
 
+// Three digits: what stands beside a cell need not be exact.
+std::string map_number(double value) { return fmt::format("{:.3g}", value); }
+
 double widest(const std::vector<std::string>& names) {
   double width = 0.0;
   for (const std::string& name : names) width = std::max(width, text_width(name, legend_size));
@@ -129,7 +132,9 @@ VectorPicture plot_map(const PlotMap& map, const PlotOptions& options) {
   o.x_high = double(map.x.size());
   o.y_high = double(map.y.size());
   o.x_log = false;
-  PlotFrame frame = plot_frame(o, 84.0, false, false);
+  std::vector<std::string> rows;
+  for (const double y : map.y) rows.push_back(map_number(y));
+  PlotFrame frame = plot_frame(o, 84.0, false, false, 46.0, std::max(62.0, widest(rows) + 46.0));
   VectorPicture& p = frame.picture;
   const double w = frame.x(1) - frame.x(0);
   const double h = frame.y(0) - frame.y(1);
@@ -146,12 +151,11 @@ VectorPicture plot_map(const PlotMap& map, const PlotOptions& options) {
                TextAnchor::middle);
       }
     }
-    p.text(frame.left - 8.0, frame.y(double(r) + 0.5) + 4.0, plot_number(map.y[r]), 11.5, ink,
-           TextAnchor::end);
+    p.text(frame.left - 8.0, frame.y(double(r) + 0.5) + 4.0, rows[r], 11.5, ink, TextAnchor::end);
   }
   const std::size_t every = 1 + std::size_t(46.0 / std::max(w, 1.0));
   for (std::size_t c = 0; c < map.x.size(); c += every) {
-    p.text(frame.x(double(c) + 0.5), frame.bottom + 17.0, plot_number(map.x[c]), 11.5, ink,
+    p.text(frame.x(double(c) + 0.5), frame.bottom + 17.0, map_number(map.x[c]), 11.5, ink,
            TextAnchor::middle);
   }
   for (int i = 0; i < 50; ++i) {
@@ -161,7 +165,7 @@ VectorPicture plot_map(const PlotMap& map, const PlotOptions& options) {
   }
   for (int i = 0; i <= 4; ++i) {
     p.text(frame.right + 35.0, frame.bottom - (frame.bottom - frame.top) * i / 4.0 + 4.0,
-           plot_number(low + (high - low) * i / 4.0), 11.0);
+           map_number(low + (high - low) * i / 4.0), 11.0);
   }
   p.text(frame.right + 16.0, frame.top - 7.0, map.value_label, 11.5);
   return p;

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/json.hpp"
+#include "core/markup.hpp"
 #include "results/image.hpp"
 #include "results/pack.hpp"
 #include "results/report_scene.hpp"
@@ -79,9 +80,9 @@ void write_report(const fs::path& run_folder, const fs::path& html, const Report
   write_file(html, [&](std::ostream& out) {
     out << "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        << "<title>" << html_escape(title) << "</title>\n<style>\n"
+        << "<title>" << escape_markup(title) << "</title>\n<style>\n"
         << style << "</style>\n</head>\n<body>\n<div id=\"app\"><p>"
-        << html_escape(data.at("sentence").get<std::string>())
+        << escape_markup(data.at("sentence").get<std::string>())
         << "</p></div>\n<noscript>This report needs JavaScript for its plots and 3D "
            "views.</noscript>\n";
     // A scene is inert text until somebody opens it, so a thousand of them cost nothing at the

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/file.hpp"
+#include "core/markup.hpp"
 #include "core/math.hpp"
 
 namespace scanchor {
@@ -37,29 +38,6 @@ std::string paint_of(const char* property, Color color) {
   std::string text = fmt::format(" {}=\"{}\"", property, hex(color));
   if (color.a < 255) text += fmt::format(" {}-opacity=\"{}\"", property, number(color.a / 255.0));
   return text;
-}
-
-std::string escape(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
 }
 
 void write_item(std::string& out, const VectorShape& shape) {
@@ -96,7 +74,7 @@ void write_item(std::string& out, const VectorText& text) {
     out += fmt::format(" transform=\"rotate({} {} {})\"", number(-text.turn_deg),
                        number(text.position.x()), number(text.position.y()));
   }
-  out += paint_of("fill", text.color) + ">" + escape(text.text) + "</text>\n";
+  out += paint_of("fill", text.color) + ">" + escape_markup(text.text) + "</text>\n";
 }
 
 }  // namespace

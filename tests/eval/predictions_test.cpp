@@ -119,6 +119,26 @@ TEST_F(Predictions, FieldsOfClouds) {
   EXPECT_THAT(failure(folder / "c.ply", 2, options), HasSubstr("did you mean 'label'?"));
 }
 
+TEST_F(Predictions, AnotherOrderOfPointsIsSeenByTheirPositions) {
+  PointCloud scan;
+  scan.points = {{1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
+  PointCloud cloud = scan;
+  cloud.set({"label", std::vector<std::int32_t>{8, 0, 8}});
+  write_cloud(folder / "same.ply", cloud);
+  EXPECT_EQ(read_prediction(folder / "same.ply", scan).class_id[2], 8);
+  std::swap(cloud.points[1], cloud.points[2]);
+  write_cloud(folder / "other.ply", cloud);
+  try {
+    read_prediction(folder / "other.ply", scan);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("point 1"), HasSubstr("another order of points")));
+  }
+  for (auto& p : cloud.points) p.setZero();  // labels only
+  write_cloud(folder / "none.ply", cloud);
+  EXPECT_EQ(read_prediction(folder / "none.ply", scan).class_id[0], 8);
+}
+
 TEST_F(Predictions, NanAndFractionsAreNoLabels) {
   PointCloud cloud;
   cloud.points.resize(2, Eigen::Vector3d::Zero());
