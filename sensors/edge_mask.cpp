@@ -168,6 +168,23 @@ std::vector<std::uint8_t> straddling_beams(const World& world,
   const double half_step = 0.5 * grid.cell();
   const Eigen::Isometry3d T_sensor_world = T_world_sensor.inverse();
   const auto& outline = world.outline();
+  const auto radius_at = [&](double range) {
+    return reach * 0.5 * (options.divergence + options.aperture / range) + parallax / range +
+           turned;
+  };
+  // Drawing the outlines costs its steps, tracing all costs its sub-rays: a step costs about as
+  // much as three (measured; docs/why/speed.md).
+  double steps = 0.0;
+  for (const OutlineEdge& edge : outline) {
+    const Eigen::Vector3d from = T_sensor_world * edge.from;
+    const Eigen::Vector3d to = T_sensor_world * edge.to;
+    const double angle = std::atan2(from.cross(to).norm(), from.dot(to));
+    steps += 1.0 + angle / std::max(half_step, 0.5 * radius_at(std::max(from.norm(), 1e-6)));
+  }
+  if (3.0 * steps > static_cast<double>(mask.size()) * options.subrays) {
+    std::fill(mask.begin(), mask.end(), std::uint8_t{1});
+    return mask;
+  }
   parallel_blocks(outline.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
       const Eigen::Vector3d from = T_sensor_world * outline[e].from;
@@ -178,8 +195,7 @@ std::vector<std::uint8_t> straddling_beams(const World& world,
         const Eigen::Vector3d p =
             length > 0.0 ? Eigen::Vector3d(from + (s / length) * (to - from)) : from;
         const double range = std::max(p.norm(), 1e-6);
-        const double radius = reach * 0.5 * (options.divergence + options.aperture / range) +
-                              parallax / range + turned;
+        const double radius = radius_at(range);
         const double step = std::max(half_step, 0.5 * radius);
         // 1.5: the arc of the step is longer than half its chord says when the range changes along
         // it.

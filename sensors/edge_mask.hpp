@@ -18,7 +18,8 @@ namespace scanchor {
 /// * where neighbouring middles met different faces (bodies that go through each other have a
 /// crease without an outline), both and
 ///   all beams within reach are marked.
-/// A moving robot has no common viewpoint: then all beams are marked.
+/// A moving robot has no common viewpoint: then all beams are marked. So they are where tracing all
+/// their sub-rays costs less than drawing the outlines (few beams, close together, in a full room).
 /// `reach` [half diameters] of the farthest sub-ray. `lines` are the middles as traced.
 std::vector<std::uint8_t> straddling_beams(const World& world,
                                            const Eigen::Isometry3d& T_world_sensor,

@@ -4,6 +4,7 @@
 
 #include <numeric>
 
+#include "scenes/generator.hpp"
 #include "sensors/beam_tracer.hpp"
 
 #include "tests/sensors/support/targets.hpp"
@@ -79,6 +80,43 @@ TEST(EdgeMask, LeavesThePlainMiddleOfWallsOut) {
       std::accumulate(mask.begin(), mask.end(), 0.0) / static_cast<double>(mask.size());
   EXPECT_LT(share, 0.25) << "an empty room is mostly wall";
   EXPECT_GT(share, 0.01);
+}
+
+// Whole rooms with the devices that have a footprint, at a third of their lines.
+TEST(EdgeMask, SameBytesInFurnishedRooms) {
+  for (const char* preset : {"lms-1xx", "lms-5xx", "lms-200", "vlp-16"}) {
+    for (const char* family : {"office", "storage aisle"}) {
+      RoomOptions room;
+      room.family = family;
+      const Scene scene = generate_room(room, 60);
+      const World world(scene);
+      LidarOptions o = lidar_preset(preset);
+      if (o.geometry == "tilting") o.lines /= 4;
+      if (o.geometry == "spinning") o.beams_per_line /= 4;
+      const Scan masked = scan_room(world, scene.sensor_poses[0], o, 7);
+      o.subrays_everywhere = true;
+      const Scan everywhere = scan_room(world, scene.sensor_poses[0], o, 7);
+      EXPECT_EQ(testing::digest(masked), testing::digest(everywhere)) << preset << ", " << family;
+    }
+  }
+}
+
+// Marking is only worth it where it leaves much out.
+TEST(EdgeMask, FewBeamsInAFullRoomAreAllTraced) {
+  const Scene scene = generate_room({}, 60);
+  const World world(scene);
+  const auto marked = [&](const LidarOptions& o) {
+    const Kinematics kinematics(o, 1);
+    std::vector<LineReturns> lines(static_cast<std::size_t>(o.lines));
+    for (auto& line : lines) {
+      line.resize(static_cast<std::size_t>(o.beams_per_line));
+      std::fill(line.triangle.begin(), line.triangle.end(), no_hit);
+    }
+    const auto mask = straddling_beams(world, scene.sensor_poses[0], o, kinematics, 1.0, lines);
+    return std::accumulate(mask.begin(), mask.end(), 0.0) / static_cast<double>(mask.size());
+  };
+  EXPECT_EQ(marked(lidar_preset("vlp-16")), 1.0);
+  EXPECT_LT(marked(lidar_preset("lms-1xx")), 0.9);
 }
 
 TEST(EdgeMask, AMovingRobotTracesAll) {
