@@ -170,7 +170,7 @@ class Generator {
     std::vector<std::vector<FaceVisibility>> visibility;
     std::vector<Scan> kept;
     {
-      const World world(scene);
+      const World world(scene, options_.world);
       std::set<std::int32_t> instances_seen;
       Scan scan;
       for (int k = 0; k < suite_.scans; ++k) {

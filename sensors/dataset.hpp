@@ -13,6 +13,7 @@
 #include "scenes/scene.hpp"
 #include "sensors/scan.hpp"
 #include "sensors/suite.hpp"
+#include "sim/world.hpp"
 
 namespace scanchor {
 
@@ -30,6 +31,7 @@ struct DatasetOptions {
   int threads = 0;  ///< 0: as many as there are cores. The bytes do not depend on it
   Shard shard;      ///< only the scenes of this part
   DatasetFormats formats;
+  WorldOptions world;  ///< packets and instruction set: the bytes do not depend on them either
   /// Called once at the start with the scans that an earlier run had done, then after each scan;
   /// from any thread but never from two at once.
   std::function<void(std::size_t scans_done, std::size_t scans_total)> progress;

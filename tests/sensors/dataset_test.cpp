@@ -109,6 +109,34 @@ TEST(Dataset, TheBytesDoNotDependOnThreadsShardsOrInterruptions) {
   EXPECT_EQ(hashes(folder / "resumed"), expected);
 }
 
+// Twenty scans from seed to files; bench/hashes_bench does it with scans of 100,000 points.
+TEST(Dataset, TheBytesDoNotDependOnInstructionSetOrPackets) {
+  const TemporaryFolder folder;
+  Suite suite = small_suite();
+  suite.families = {{"office", 1.0}, {"kitchen", 1.0}};
+  suite.scans = 5;
+  suite.lidar = lidar_preset("lms-1xx");  // footprints, mixed pixels, quantum
+  suite.lidar.lines = 12;
+  suite.lidar.beams_per_line = 90;
+  suite.lidar.subrays = 7;
+  std::map<std::string, std::string> first;
+  int run = 0;
+  for (const char* isa : {"", "sse2", "avx2"}) {
+    for (const int width : {1, 8, 16}) {
+      for (const int threads : {1, 2}) {
+        DatasetOptions options;
+        options.threads = threads;
+        options.world.embree_isa = isa;
+        options.world.packet_width = width;
+        const fs::path set = folder / std::to_string(run++);
+        EXPECT_EQ(generate_dataset(suite, set, options).scans_written, 20U);
+        if (first.empty()) first = hashes(set);
+        EXPECT_EQ(hashes(set), first) << isa << " width " << width << " threads " << threads;
+      }
+    }
+  }
+}
+
 TEST(Dataset, AnotherSuiteSeedOrFormatIsRefused) {
   const TemporaryFolder folder;
   Suite suite = small_suite();
