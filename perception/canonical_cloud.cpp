@@ -176,7 +176,14 @@ CanonicalCloud canonical_cloud(const std::vector<Eigen::Vector3d>& points,
     cloud.code.push_back(keys[i].code);
     cloud.first.push_back(static_cast<std::uint32_t>(i + 1));
   }
+  cloud.inverse_range.assign(cloud.size(), 0.0F);
   return cloud;
+}
+
+void see_from(const Eigen::Vector3d& sensor, CanonicalCloud& cloud) {
+  const Eigen::Vector3f at = sensor.cast<float>();
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    cloud.inverse_range[i] = 1.0F / std::max((cloud.point(i) - at).norm(), 1e-6F);
 }
 
 }  // namespace scanchor

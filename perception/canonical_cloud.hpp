@@ -24,6 +24,7 @@ namespace scanchor {
 struct CanonicalCloud {
   static constexpr int levels = 16;   ///< of the octree below the root: codes have 48 bits
   std::vector<float> x, y, z;         ///< [m] in the principal frame
+  std::vector<float> inverse_range;   ///< [1/m] from the sensor; 0: its place is not known
   std::vector<std::uint64_t> code;    ///< Morton codes, rising
   std::vector<std::uint32_t> source;  ///< indices into the cloud, grouped by point
   std::vector<std::uint32_t>
@@ -41,6 +42,9 @@ struct CanonicalCloud {
 /// `index`: the points to take. Time O(n), memory 28 bytes a point and as much again while it runs.
 CanonicalCloud canonical_cloud(const std::vector<Eigen::Vector3d>& points,
                                const std::vector<std::uint32_t>& index);
+
+/// Fills `inverse_range` for a sensor at this place (canonical frame).
+void see_from(const Eigen::Vector3d& sensor, CanonicalCloud& cloud);
 
 /// Spreads the low 16 bits of `v` to every third bit.
 constexpr std::uint64_t spread_bits(std::uint64_t v) {

@@ -23,20 +23,21 @@ struct FlatCell {
 // Flat within the noise, and broad enough in both directions that its normal means something: known
 // to 0.1 rad (one sigma) and at least 2.5 sigma in standard deviation, so that noise cannot pass
 // for width.
-bool is_flat(const Moments& moments, double sigma, MomentPlane& plane) {
+bool is_flat(const Moments& moments, const BeamNoise& noise, MomentPlane& plane) {
   constexpr double fewest = 6.0, breadth = 6.25, tilt = 0.1;
   if (moments.n < fewest) return false;
   plane = fit_plane_fast(moments);
-  const double sigma2 = sigma * sigma, freedom = moments.n - 3.0;
+  const double freedom = moments.n - 3.0, sigma2 = noise.sigma * noise.sigma;
+  if (plane.variances[1] < breadth * sigma2 || plane.variances[1] < breadth * plane.variances[0])
+    return false;
+  const double across = noise.across(plane, moments.mean()), across2 = across * across;
   return plane.variances[0] * moments.n <=
-             slack * sigma2 * freedom * chi_square_factor(freedom, z_flat) &&
-         plane.variances[1] >= breadth * sigma2 &&
-         plane.variances[1] >= breadth * plane.variances[0] &&
-         sigma2 <= tilt * tilt * moments.n * plane.variances[1];
+             slack * across2 * freedom * chi_square_factor(freedom, z_flat) &&
+         across2 <= tilt * tilt * moments.n * plane.variances[1];
 }
 
 // The largest flat cells, from the root down.
-std::vector<FlatCell> flat_cells(const CellTree& tree, double sigma,
+std::vector<FlatCell> flat_cells(const CellTree& tree, const BeamNoise& noise,
                                  std::vector<std::int32_t>& flat_of_cell) {
   std::vector<FlatCell> flat;
   std::vector<bool> open(tree.cells.size(), false);
@@ -45,7 +46,7 @@ std::vector<FlatCell> flat_cells(const CellTree& tree, double sigma,
   for (std::uint32_t i = 0; i < tree.cells.size(); ++i) {  // parents come before children
     if (!open[i]) continue;
     FlatCell candidate{i, {}};
-    if (is_flat(tree.moments[i], sigma, candidate.plane)) {
+    if (is_flat(tree.moments[i], noise, candidate.plane)) {
       flat_of_cell[i] = static_cast<std::int32_t>(flat.size());
       flat.push_back(candidate);
       continue;
@@ -93,37 +94,48 @@ Links link(const CanonicalCloud& cloud, const CellTree& tree, const std::vector<
 
 // Does a cell continue the plane of a region? Its mean square distance must be noise, where the
 // plane itself is uncertain by sigma^2/n (1 + u^2/l1 + v^2/l2) so far out.
-bool continues(const GrownPlane& region, const Moments& cell, double sigma) {
-  const double n = region.moments.n, sigma2 = sigma * sigma;
-  const Eigen::Vector3d out = cell.mean() - region.moments.mean();
+bool continues(const GrownPlane& region, const Moments& cell, const BeamNoise& noise) {
+  const Eigen::Vector3d at = cell.mean(), out = at - region.moments.mean();
+  const double across = noise.across(region.plane, at);
+  const double n = region.moments.n, sigma2 = across * across;
   const double u = region.plane.axes.col(1).dot(out), v = region.plane.axes.col(2).dot(out);
   const double leverage = (1.0 + u * u / std::max(region.plane.variances[1], 1e-30) +
                            v * v / std::max(region.plane.variances[2], 1e-30)) /
                           n;
+  // The mean of many points tells a step that is lost in their scatter.
+  if (std::abs(region.plane.distance(at)) >
+      3.0 * across * std::sqrt(1.0 / cell.n + std::min(leverage, 1.0)) + 0.25 * noise.sigma)
+    return false;
   return region.plane.mean_square(cell) <=
          slack * sigma2 * (chi_square_factor(cell.n, z_flat) + 4.0 * std::min(leverage, 1.0));
 }
 
 }  // namespace
 
-GrownPlane grown_plane(const Moments& moments, double sigma) {
+GrownPlane grown_plane(const Moments& moments, const BeamNoise& noise) {
   GrownPlane grown;
   grown.moments = moments;
   grown.plane = fit_plane_fast(moments);
   const double n = moments.n;
-  const double variance = n > 3.0 ? grown.plane.variances[0] * n / (n - 3.0) : sigma * sigma;
-  grown.sigma = std::clamp(std::sqrt(variance), 0.25 * sigma, 1.2 * sigma);
+  const double across = noise.across(grown.plane, moments.mean());
+  const double scatter =
+      n > 3.0 ? std::sqrt(grown.plane.variances[0] * n / (n - 3.0)) / across : 1.0;
+  const double excess = std::clamp(scatter, noise.sensor_known ? 1.0 : 0.25, 1.2);
+  grown.sigma = excess * across;
+  grown.least = excess * noise.sigma * (noise.sensor_known ? BeamNoise::grazing : 1.0);
+  if (noise.sensor_known)
+    grown.height = excess * noise.sigma * std::abs(grown.plane.distance(noise.sensor));
   return grown;
 }
 
-PlaneLabels cell_planes(const CanonicalCloud& cloud, const CellTree& tree, double sigma,
+PlaneLabels cell_planes(const CanonicalCloud& cloud, const CellTree& tree, const BeamNoise& noise,
                         std::vector<std::int32_t>& region_of_cell) {
   PlaneLabels labels;
   labels.of_point.assign(cloud.size(), -1);
   region_of_cell.assign(tree.cells.size(), -1);
   if (tree.cells.empty()) return labels;
   std::vector<std::int32_t> flat_of_cell;
-  const auto flat = flat_cells(tree, sigma, flat_of_cell);
+  const auto flat = flat_cells(tree, noise, flat_of_cell);
   const Links links = link(cloud, tree, flat, flat_of_cell);
 
   std::vector<std::uint32_t> order(flat.size());
@@ -137,7 +149,7 @@ PlaneLabels cell_planes(const CanonicalCloud& cloud, const CellTree& tree, doubl
   for (const auto seed : order) {
     if (region[seed] >= 0) continue;
     const auto id = static_cast<std::int32_t>(planes.size());
-    GrownPlane grown = grown_plane(tree.moments[flat[seed].cell], sigma);
+    GrownPlane grown = grown_plane(tree.moments[flat[seed].cell], noise);
     double fitted = grown.moments.n;
     region[seed] = id;
     queue.assign(1, seed);
@@ -146,17 +158,17 @@ PlaneLabels cell_planes(const CanonicalCloud& cloud, const CellTree& tree, doubl
         const auto next = links.to[k];
         if (region[next] >= 0) continue;
         const Moments& cell = tree.moments[flat[next].cell];
-        if (!continues(grown, cell, sigma)) continue;
+        if (!continues(grown, cell, noise)) continue;
         region[next] = id;
         queue.push_back(next);
         grown.moments.add(cell);
         if (grown.moments.n >= 1.25 * fitted) {
-          grown = grown_plane(grown.moments, sigma);
+          grown = grown_plane(grown.moments, noise);
           fitted = grown.moments.n;
         }
       }
     }
-    planes.push_back(grown_plane(grown.moments, sigma));
+    planes.push_back(grown_plane(grown.moments, noise));
   }
 
   // Join what grew from two seeds; a region's number is smaller the larger its seed was.
@@ -169,7 +181,7 @@ PlaneLabels cell_planes(const CanonicalCloud& cloud, const CellTree& tree, doubl
   }
   std::sort(touching.begin(), touching.end());
   touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
-  const auto into = join_planes(touching, sigma, same_plane, planes);
+  const auto into = join_planes(touching, noise, same_plane, planes);
   std::vector<std::int32_t> number(planes.size(), -1);
   for (std::size_t r = 0; r < planes.size(); ++r) {
     if (into[r] != static_cast<std::int32_t>(r)) continue;
@@ -179,15 +191,11 @@ PlaneLabels cell_planes(const CanonicalCloud& cloud, const CellTree& tree, doubl
   for (std::uint32_t f = 0; f < flat.size(); ++f) {
     const auto id = number[static_cast<std::size_t>(into[static_cast<std::size_t>(region[f])])];
     region_of_cell[flat[f].cell] = id;
-    const GrownPlane& grown = labels.planes[static_cast<std::size_t>(id)];
-    const Eigen::Vector3f normal = grown.plane.normal.cast<float>();
-    const auto offset = static_cast<float>(grown.plane.offset);
-    const auto reach = static_cast<float>(3.0 * grown.sigma);
+    const PlaneReach reach(labels.planes[static_cast<std::size_t>(id)]);
     const Cell& cell = tree.cells[flat[f].cell];
     for (auto p = cell.begin; p < cell.end; ++p) {
-      const float distance =
-          normal.x() * cloud.x[p] + normal.y() * cloud.y[p] + normal.z() * cloud.z[p] - offset;
-      if (std::abs(distance) <= reach) labels.of_point[p] = id;
+      if (reach.holds(cloud.x[p], cloud.y[p], cloud.z[p], cloud.inverse_range[p]))
+        labels.of_point[p] = id;
     }
   }
   return labels;

@@ -12,7 +12,8 @@ namespace {
 struct Candidate {
   std::int32_t id;
   float votes;
-  float a, b, c, offset, inverse_sigma, cost;
+  PlaneReach reach;
+  float cost;
 };
 
 class Ballot {
@@ -26,22 +27,19 @@ class Ballot {
         return;
       }
     }
-    const GrownPlane& grown = planes_[static_cast<std::size_t>(id)];
-    const Eigen::Vector3f n = grown.plane.normal.cast<float>();
-    candidates_.push_back({id, weight, n.x(), n.y(), n.z(), static_cast<float>(grown.plane.offset),
-                           static_cast<float>(1.0 / grown.sigma),
-                           static_cast<float>(std::log(grown.sigma))});
+    candidates_.push_back({id, weight, PlaneReach(planes_[static_cast<std::size_t>(id)]), 0.0F});
   }
   void count() {
-    for (auto& candidate : candidates_) candidate.cost -= std::log(candidate.votes);
+    for (auto& candidate : candidates_) candidate.cost = -std::log(candidate.votes);
   }
-  [[nodiscard]] std::int32_t best(float x, float y, float z) const {
+  [[nodiscard]] std::int32_t best(float x, float y, float z, float inverse_range) const {
     std::int32_t chosen = -1;
     float least = 3e38F;
     for (const auto& k : candidates_) {
-      const float r = (k.a * x + k.b * y + k.c * z - k.offset) * k.inverse_sigma;
-      if (std::abs(r) > 3.0F) continue;
-      const float cost = 0.5F * r * r + k.cost;
+      const float s = k.reach.scatter(inverse_range);
+      const float r = k.reach.distance(x, y, z) / s;
+      if (r > 3.0F) continue;
+      const float cost = 0.5F * r * r + std::log(s) + k.cost;
       if (cost < least || (cost == least && k.id < chosen)) {
         least = cost;
         chosen = k.id;
@@ -57,7 +55,7 @@ class Ballot {
 
 }  // namespace
 
-void choose_planes(const PointPool& pool, double sigma, const std::vector<Moments>& fixed,
+void choose_planes(const PointPool& pool, const BeamNoise& noise, const std::vector<Moments>& fixed,
                    int rounds, std::vector<GrownPlane>& planes, std::vector<std::int32_t>& label) {
   constexpr float flat_votes =
       4.0F;  // a flat cell next door speaks for as many points as a leaf holds
@@ -80,7 +78,8 @@ void choose_planes(const PointPool& pool, double sigma, const std::vector<Moment
           ballot.vote(pool.regions[k], flat_votes);
         ballot.count();
         const Cell& cell = pool.cell(l);
-        for (auto p = cell.begin; p < cell.end; ++p) next[p] = ballot.best(c.x[p], c.y[p], c.z[p]);
+        for (auto p = cell.begin; p < cell.end; ++p)
+          next[p] = ballot.best(c.x[p], c.y[p], c.z[p], c.inverse_range[p]);
       }
     });
     label.swap(next);
@@ -91,7 +90,7 @@ void choose_planes(const PointPool& pool, double sigma, const std::vector<Moment
     }
     for (std::size_t r = 0; r < planes.size(); ++r) {
       if (sums[r].n >= 6.0) {
-        planes[r] = grown_plane(sums[r], sigma);
+        planes[r] = grown_plane(sums[r], noise);
       } else {
         planes[r].moments = sums[r];
       }

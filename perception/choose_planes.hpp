@@ -12,7 +12,7 @@ namespace scanchor {
 /// own and the neighbouring leaves that chose it before: iterated conditional modes (J. Besag, "On
 /// the statistical analysis of dirty pictures", JRSS B 48, 1986). After each round the planes
 /// follow their points.
-void choose_planes(const PointPool& pool, double sigma, const std::vector<Moments>& fixed,
+void choose_planes(const PointPool& pool, const BeamNoise& noise, const std::vector<Moments>& fixed,
                    int rounds, std::vector<GrownPlane>& planes, std::vector<std::int32_t>& label);
 
 }  // namespace scanchor

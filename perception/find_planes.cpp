@@ -6,6 +6,7 @@
 #include "perception/bent_planes.hpp"
 #include "perception/cell_planes.hpp"
 #include "perception/cell_tree.hpp"
+#include "perception/connect_planes.hpp"
 #include "perception/noise.hpp"
 #include "perception/paper_planes.hpp"
 #include "perception/plane_fit.hpp"
@@ -110,8 +111,15 @@ Surfaces find_planes(const PointCloud& cloud, const PerceiveOptions& options) {
     return surfaces;
   }
   std::vector<std::int32_t> region_of_cell;
-  PlaneLabels labels = cell_planes(input.cloud, tree, input.sigma, region_of_cell);
-  thin_planes(input.cloud, tree, input.sigma, region_of_cell, labels);
+  BeamNoise noise(input.sigma);
+  if (surfaces.sensor_positions.size() == 1) {
+    noise = BeamNoise(input.sigma,
+                      input.cloud.T_cloud_canonical.inverse() * surfaces.sensor_positions.front());
+    see_from(noise.sensor, input.cloud);
+  }
+  PlaneLabels labels = cell_planes(input.cloud, tree, noise, region_of_cell);
+  thin_planes(input.cloud, tree, noise, region_of_cell, labels);
+  if (noise.sensor_known) connect_planes(input.cloud, noise, fewest_points, labels);
   if (estimate_flatness(tree, input.sigma) > bent_from * input.sigma)
     join_bent_planes(input.cloud, tree, input.sigma, labels);
   collect_surfaces(cloud, input, labels.of_point, surfaces);

@@ -36,7 +36,7 @@ bool lie_near(const GrownPlane& a, const GrownPlane& b) {
 
 }  // namespace
 
-bool same_plane(const GrownPlane& a, const GrownPlane& b, double /*sigma*/) {
+bool same_plane(const GrownPlane& a, const GrownPlane& b, const BeamNoise& /*noise*/) {
   Moments both = a.moments;
   both.add(b.moments);
   const double squares = both.n * fit_plane_fast(both).variances[0];
@@ -47,16 +47,25 @@ bool same_plane(const GrownPlane& a, const GrownPlane& b, double /*sigma*/) {
   return squares - apart <= scatter * scatter * (16.3 + 0.1 * std::min(a.moments.n, b.moments.n));
 }
 
-bool surely_same_plane(const GrownPlane& a, const GrownPlane& b, double sigma) {
-  const double known = 0.25 * sigma * sigma;  // (half a sigma)^2
-  return a.sigma * a.sigma * leverage(a, b.moments.mean()) < known &&
-         b.sigma * b.sigma * leverage(b, a.moments.mean()) < known && lie_near(a, b) &&
-         same_plane(a, b, sigma);
+bool lie_in_one_plane(const GrownPlane& a, const GrownPlane& b, const BeamNoise& noise) {
+  const GrownPlane& large = a.moments.n >= b.moments.n ? a : b;
+  const GrownPlane& small = a.moments.n >= b.moments.n ? b : a;
+  const Eigen::Vector3d there = small.moments.mean();
+  const double off = std::abs(large.plane.distance(there));
+  const double across = noise.across(large.plane, there);
+  if (off > 3.0 * across) return false;
+  const double known = 0.25 * noise.sigma * noise.sigma;  // (half a sigma)^2
+  return large.sigma * large.sigma * leverage(large, there) < known && same_plane(a, b, noise);
+}
+
+bool surely_same_plane(const GrownPlane& a, const GrownPlane& b, const BeamNoise& noise) {
+  return lie_near(a, b) && lie_in_one_plane(a, b, noise);
 }
 
 std::vector<std::int32_t> join_planes(
-    const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs, double sigma,
-    bool (*same)(const GrownPlane&, const GrownPlane&, double), std::vector<GrownPlane>& planes) {
+    const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs, const BeamNoise& noise,
+    bool (*same)(const GrownPlane&, const GrownPlane&, const BeamNoise&),
+    std::vector<GrownPlane>& planes) {
   std::vector<std::int32_t> into(planes.size());
   std::iota(into.begin(), into.end(), 0);
   const auto root = [&](std::int32_t r) {
@@ -68,10 +77,10 @@ std::vector<std::int32_t> join_planes(
     if (a == b) continue;
     if (a > b) std::swap(a, b);
     auto &pa = planes[static_cast<std::size_t>(a)], &pb = planes[static_cast<std::size_t>(b)];
-    if (pa.moments.n < 3.0 || pb.moments.n < 3.0 || !same(pa, pb, sigma)) continue;
+    if (pa.moments.n < 3.0 || pb.moments.n < 3.0 || !same(pa, pb, noise)) continue;
     Moments both = pa.moments;
     both.add(pb.moments);
-    pa = grown_plane(both, sigma);
+    pa = grown_plane(both, noise);
     into[static_cast<std::size_t>(b)] = a;
   }
   for (std::size_t r = 0; r < into.size(); ++r) into[r] = root(static_cast<std::int32_t>(r));

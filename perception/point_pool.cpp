@@ -35,6 +35,7 @@ PointPool point_pool(const CanonicalCloud& cloud, const CellTree& tree, const Pl
     pool.cloud.x.push_back(cloud.x[i]);
     pool.cloud.y.push_back(cloud.y[i]);
     pool.cloud.z.push_back(cloud.z[i]);
+    pool.cloud.inverse_range.push_back(cloud.inverse_range[i]);
     pool.cloud.code.push_back(cloud.code[i]);
   }
   pool.tree = cell_tree(pool.cloud, leaf_points, 2.5 * sigma);

@@ -11,7 +11,7 @@
 namespace scanchor {
 
 struct PointPool {
-  CanonicalCloud cloud;  ///< x, y, z and code only
+  CanonicalCloud cloud;  ///< x, y, z, inverse_range and code only
   CellTree tree;
   std::vector<std::uint32_t> place;  ///< index in the whole canonical cloud, a pool point
   std::vector<std::uint32_t> leaf;   ///< cells of `tree` without children

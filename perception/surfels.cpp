@@ -17,15 +17,15 @@ struct Patch {
   }
 };
 
-Surfel fit_surfel(const Patch& patch, double sigma) {
+Surfel fit_surfel(const Patch& patch, const BeamNoise& noise) {
   constexpr double breadth = 4.0, fewest = 6.0;
-  const double reach = 2.5 * sigma;
   Surfel surfel;
   Moments moments;
   for (std::size_t i = 0; i < patch.x.size(); ++i) moments.add(patch.x[i], patch.y[i], patch.z[i]);
   for (int round = 0; round < 2; ++round) {
     if (moments.n < fewest) return surfel;
     const MomentPlane plane = fit_plane_fast(moments);
+    const double reach = 2.5 * noise.across(plane, moments.mean());
     Moments next;
     double score = 0.0;
     for (std::size_t i = 0; i < patch.x.size(); ++i) {
@@ -38,15 +38,16 @@ Surfel fit_surfel(const Patch& patch, double sigma) {
     moments = next;
   }
   if (moments.n < fewest) return surfel;
-  surfel.grown = grown_plane(moments, sigma);
+  surfel.grown = grown_plane(moments, noise);
   const auto& v = surfel.grown.plane.variances;
-  if (v[1] >= breadth * v[0]) surfel.tilt = sigma / std::sqrt(moments.n * v[1]);
+  if (v[1] >= breadth * v[0])
+    surfel.tilt = noise.across(surfel.grown.plane, moments.mean()) / std::sqrt(moments.n * v[1]);
   return surfel;
 }
 
 }  // namespace
 
-std::vector<Surfel> fit_surfels(const PointPool& pool, double sigma) {
+std::vector<Surfel> fit_surfels(const PointPool& pool, const BeamNoise& noise) {
   std::vector<Surfel> surfels(pool.leaf.size());
   const auto& c = pool.cloud;
   parallel_blocks(pool.leaf.size(), 512, [&](std::size_t begin, std::size_t end) {
@@ -55,7 +56,7 @@ std::vector<Surfel> fit_surfels(const PointPool& pool, double sigma) {
       patch.clear();
       const Eigen::Vector3f center = pool.tree.moments[pool.leaf[l]].mean().cast<float>();
       const float side = c.cell_side(pool.cell(l).level);
-      const float radius = std::max(1.2F * side, static_cast<float>(3.0 * sigma));
+      const float radius = std::max(1.2F * side, static_cast<float>(3.0 * noise.sigma));
       const float radius2 = radius * radius;
       const auto take = [&](std::uint32_t leaf) {
         const Cell& cell = pool.cell(leaf);
@@ -69,17 +70,17 @@ std::vector<Surfel> fit_surfels(const PointPool& pool, double sigma) {
       };
       take(l);
       for (auto k = pool.start[l]; k < pool.start[l + 1]; ++k) take(pool.to[k]);
-      surfels[l] = fit_surfel(patch, sigma);
+      surfels[l] = fit_surfel(patch, noise);
     }
   });
   return surfels;
 }
 
-bool continues(const GrownPlane& plane, const Surfel& patch, double sigma) {
+bool continues(const GrownPlane& plane, const Surfel& patch, const BeamNoise& noise) {
   const Eigen::Vector3d center = patch.grown.moments.mean();
   const Eigen::Vector3d out = center - plane.moments.mean();
   const double u = plane.plane.axes.col(1).dot(out), v = plane.plane.axes.col(2).dot(out);
-  const double sigma2 = sigma * sigma;
+  const double sigma = noise.across(plane.plane, center), sigma2 = sigma * sigma;
   const double lever = 1.0 + u * u / std::max(plane.plane.variances[1], 1e-30) +
                        v * v / std::max(plane.plane.variances[2], 1e-30);
   const double variance =

@@ -20,10 +20,10 @@ inline constexpr double unknown_tilt = 0.17;
 
 /// One a leaf, from the points within 1.2 leaf sides or three sigma of the leaf's mean. Two rounds
 /// of least squares, each without what lies beyond 2.5 sigma.
-std::vector<Surfel> fit_surfels(const PointPool& pool, double sigma);
+std::vector<Surfel> fit_surfels(const PointPool& pool, const BeamNoise& noise);
 
 /// Does the patch continue the plane? Its mean must lie on it and its normal agree, within three
 /// sigma of what both are known to.
-bool continues(const GrownPlane& plane, const Surfel& patch, double sigma);
+bool continues(const GrownPlane& plane, const Surfel& patch, const BeamNoise& noise);
 
 }  // namespace scanchor

@@ -15,7 +15,7 @@ namespace {
 // PlaneLabels.
 struct Work {
   const PointPool& pool;
-  double sigma;
+  const BeamNoise& noise;
   const std::vector<Surfel>& surfels;
   std::vector<GrownPlane>& planes;
   std::vector<std::int32_t> label;
@@ -40,20 +40,19 @@ void grow(Work& work, GrownPlane& grown, std::vector<std::uint32_t>& queue, Grow
     const auto l = queue[head];
     const Surfel& surfel = work.surfels[l];
     const bool knows = surfel.tilt < unknown_tilt;
-    if (knows ? !continues(grown, surfel, work.sigma) : mode == Grow::find) continue;
+    if (knows ? !continues(grown, surfel, work.noise) : mode == Grow::find) continue;
     bool any = false;
-    const double reach = 3.0 * (mode == Grow::find ? work.sigma : grown.sigma);
+    const PlaneReach reach(grown);
     const Cell& cell = work.pool.cell(l);
     for (auto p = cell.begin; p < cell.end; ++p) {
-      if (work.label[p] >= 0 || std::abs(grown.plane.distance({c.x[p], c.y[p], c.z[p]})) > reach)
-        continue;
+      if (work.label[p] >= 0 || !reach.holds(c.x[p], c.y[p], c.z[p], c.inverse_range[p])) continue;
       any = true;
       members.push_back(p);
       taken.add(c.x[p], c.y[p], c.z[p]);
     }
     if (!any) continue;
     if (mode == Grow::find && taken.n >= 1.3 * fitted) {
-      grown = grown_plane(taken, work.sigma);
+      grown = grown_plane(taken, work.noise);
       fitted = taken.n;
     }
     for (auto k = work.pool.start[l]; k < work.pool.start[l + 1]; ++k) {
@@ -63,7 +62,7 @@ void grow(Work& work, GrownPlane& grown, std::vector<std::uint32_t>& queue, Grow
       queue.push_back(next);
     }
   }
-  if (mode == Grow::find && taken.n >= 6.0) grown = grown_plane(taken, work.sigma);
+  if (mode == Grow::find && taken.n >= 6.0) grown = grown_plane(taken, work.noise);
 }
 
 // Regions of flat cells take the pool points on their planes, the largest region first.
@@ -112,6 +111,77 @@ void find_more(Work& work) {
   }
 }
 
+// A plane that was found early may hold points of one that was known better only later. The largest
+// planes first, each takes what lies on it and hangs together with it from planes of fewer points;
+// what is left of those follows its own points.
+void overgrow(Work& work, const std::vector<Moments>& fixed) {
+  constexpr double most_turn = 0.83;  // cosine: a leaf that knows to look elsewhere is not asked
+  const auto& pool = work.pool;
+  const auto& c = pool.cloud;
+  std::vector<std::vector<std::uint32_t>> seeds(work.planes.size());
+  for (std::uint32_t l = 0; l < pool.leaf.size(); ++l) {
+    const Cell& cell = pool.cell(l);
+    for (auto p = cell.begin; p < cell.end; ++p) {
+      if (work.label[p] < 0) continue;
+      auto& own = seeds[static_cast<std::size_t>(work.label[p])];
+      if (own.empty() || own.back() != l) own.push_back(l);
+    }
+  }
+  std::vector<std::uint32_t> order(work.planes.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) {
+    return work.planes[a].moments.n > work.planes[b].moments.n;
+  });
+  std::vector<std::uint32_t> rank(order.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) rank[order[i]] = i;
+  for (const auto r : order) {
+    const GrownPlane& grown = work.planes[r];
+    if (grown.moments.n < static_cast<double>(fewest_points)) break;
+    const PlaneReach reach(grown);
+    auto& queue = seeds[r];
+    ++work.asking;
+    for (const auto l : queue) work.asked[l] = work.asking;
+    for (std::size_t head = 0; head < queue.size(); ++head) {
+      const auto l = queue[head];
+      const Surfel& surfel = work.surfels[l];
+      const Cell& cell = pool.cell(l);
+      bool any = false;
+      const bool elsewhere =
+          surfel.tilt < unknown_tilt &&
+          std::abs(surfel.grown.plane.normal.dot(grown.plane.normal)) < most_turn;
+      for (auto p = cell.begin; p < cell.end; ++p) {
+        auto& label = work.label[p];
+        const bool own = label == static_cast<std::int32_t>(r);
+        if (!own && (elsewhere || (label >= 0 && rank[static_cast<std::size_t>(label)] < rank[r]) ||
+                     !reach.holds(c.x[p], c.y[p], c.z[p], c.inverse_range[p])))
+          continue;
+        label = static_cast<std::int32_t>(r);
+        any = true;
+      }
+      if (!any) continue;
+      for (auto k = pool.start[l]; k < pool.start[l + 1]; ++k) {
+        const auto next = pool.to[k];
+        if (work.asked[next] == work.asking) continue;
+        work.asked[next] = work.asking;
+        queue.push_back(next);
+      }
+    }
+  }
+  std::vector<Moments> sums = fixed;
+  sums.resize(work.planes.size());
+  for (std::uint32_t p = 0; p < work.label.size(); ++p) {
+    if (work.label[p] >= 0)
+      sums[static_cast<std::size_t>(work.label[p])].add(c.x[p], c.y[p], c.z[p]);
+  }
+  for (std::size_t r = 0; r < sums.size(); ++r) {
+    if (sums[r].n >= 6.0) {
+      work.planes[r] = grown_plane(sums[r], work.noise);
+    } else {
+      work.planes[r].moments = sums[r];
+    }
+  }
+}
+
 // Planes that meet in a leaf or in two neighbouring leaves.
 std::vector<std::pair<std::int32_t, std::int32_t>> meeting_planes(
     const PointPool& pool, const std::vector<std::int32_t>& label) {
@@ -145,9 +215,7 @@ std::vector<std::pair<std::int32_t, std::int32_t>> all_pairs(
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     for (std::size_t j = i + 1; j < planes.size(); ++j) {
-      if (std::abs(planes[i].plane.normal.dot(planes[j].plane.normal)) > 0.99) {
-        pairs.emplace_back(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j));
-      }
+      pairs.emplace_back(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j));
     }
   }
   return pairs;
@@ -155,11 +223,11 @@ std::vector<std::pair<std::int32_t, std::int32_t>> all_pairs(
 
 }  // namespace
 
-void thin_planes(const CanonicalCloud& cloud, const CellTree& tree, double sigma,
+void thin_planes(const CanonicalCloud& cloud, const CellTree& tree, const BeamNoise& noise,
                  const std::vector<std::int32_t>& region_of_cell, PlaneLabels& labels) {
-  const PointPool pool = point_pool(cloud, tree, labels, region_of_cell, sigma);
-  const auto surfels = fit_surfels(pool, sigma);
-  Work work{pool, sigma, surfels, labels.planes, {}, {}, 0};
+  const PointPool pool = point_pool(cloud, tree, labels, region_of_cell, noise.sigma);
+  const auto surfels = fit_surfels(pool, noise);
+  Work work{pool, noise, surfels, labels.planes, {}, {}, 0};
   work.label.assign(pool.place.size(), -1);
   work.asked.assign(pool.leaf.size(), 0);
   std::vector<Moments> fixed(labels.planes.size());  // of the points that flat cells settled
@@ -185,10 +253,14 @@ void thin_planes(const CanonicalCloud& cloud, const CellTree& tree, double sigma
       fixed[r] = Moments{};
     }
   };
-  choose_planes(pool, sigma, fixed, 2, work.planes, work.label);
-  follow(join_planes(meeting_planes(pool, work.label), sigma, same_plane, work.planes));
-  follow(join_planes(all_pairs(work.planes), sigma, surely_same_plane, work.planes));
-  choose_planes(pool, sigma, fixed, 2, work.planes, work.label);
+  choose_planes(pool, noise, fixed, 2, work.planes, work.label);
+  overgrow(work, fixed);
+  choose_planes(pool, noise, fixed, 1, work.planes, work.label);
+  follow(join_planes(meeting_planes(pool, work.label), noise, same_plane, work.planes));
+  // Where the sensor is known, what it saw between two pieces tells (connect_planes.hpp).
+  if (!noise.sensor_known)
+    follow(join_planes(all_pairs(work.planes), noise, surely_same_plane, work.planes));
+  choose_planes(pool, noise, fixed, 2, work.planes, work.label);
 
   for (std::size_t k = 0; k < pool.place.size(); ++k)
     labels.of_point[pool.place[k]] = work.label[k];

@@ -11,7 +11,7 @@ inline constexpr std::size_t fewest_points = 20;
 /// Lets the regions of cell_planes claim the pool points on their planes, finds further planes
 /// among the rest, and decides for each pool point between the planes around it. Labels and planes
 /// are updated; planes of fewer than `fewest_points` are dissolved.
-void thin_planes(const CanonicalCloud& cloud, const CellTree& tree, double sigma,
+void thin_planes(const CanonicalCloud& cloud, const CellTree& tree, const BeamNoise& noise,
                  const std::vector<std::int32_t>& region_of_cell, PlaneLabels& labels);
 
 }  // namespace scanchor

@@ -1,0 +1,52 @@
+#pragma once
+// The points as the sensor saw them: a grid of directions about as fine as the beams lie, so that
+// "next to each other" means that no beam went between.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "perception/canonical_cloud.hpp"
+
+namespace scanchor {
+
+/// Cells of a cube around the sensor, each face divided evenly, 1.1 spacings of the beams wide
+/// where the median beam lies.
+class BeamGrid {
+ public:
+  BeamGrid(const CanonicalCloud& cloud, const Eigen::Vector3d& sensor);
+  [[nodiscard]] std::size_t cell_count() const { return start_.size() - 1; }
+  [[nodiscard]] std::uint32_t cell_of_point(std::size_t i) const { return cell_of_point_[i]; }
+  /// Points of a cell, rising.
+  [[nodiscard]] std::span<const std::uint32_t> points(std::uint32_t cell) const {
+    return {order_.data() + start_[cell], order_.data() + start_[cell + 1]};
+  }
+  /// Cells up to `Reach` away in both directions, as (2 Reach + 1)^2 indices row by row, the cell
+  /// itself in the middle; over the edge of a face the cell in that direction on the next one.
+  template <int Reach>
+  [[nodiscard]] std::array<std::uint32_t, (2 * Reach + 1) * (2 * Reach + 1)> around(
+      std::uint32_t cell) const {
+    std::array<std::uint32_t, (2 * Reach + 1) * (2 * Reach + 1)> cells;
+    const auto side = static_cast<std::uint32_t>(side_);
+    const int x = static_cast<int>(cell % side), y = static_cast<int>(cell / side % side);
+    const bool inside = x >= Reach && y >= Reach && x + Reach < side_ && y + Reach < side_;
+    std::size_t k = 0;
+    for (int dy = -Reach; dy <= Reach; ++dy) {
+      for (int dx = -Reach; dx <= Reach; ++dx) {
+        const bool on_face =
+            inside || (x + dx >= 0 && y + dy >= 0 && x + dx < side_ && y + dy < side_);
+        cells[k++] = on_face ? cell + static_cast<std::uint32_t>(dy * side_ + dx)
+                             : beyond_face(static_cast<int>(cell / side / side), x + dx, y + dy);
+      }
+    }
+    return cells;
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t beyond_face(int face, int x, int y) const;
+  int side_ = 1;
+  std::vector<std::uint32_t> cell_of_point_, start_, order_;
+};
+
+}  // namespace scanchor

@@ -1,0 +1,77 @@
+#include "perception/beam_grid.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/random.hpp"
+
+namespace scanchor {
+namespace {
+
+CanonicalCloud sphere_of_points(int count) {
+  SequentialRandom random(3);
+  std::vector<Eigen::Vector3d> points;
+  for (int i = 0; i < count; ++i) {
+    points.push_back(
+        Eigen::Vector3d(3 * random.normal(), 2 * random.normal(), random.normal()).normalized() *
+        random.uniform(1.0, 4.0));
+  }
+  std::vector<std::uint32_t> all(points.size());
+  std::iota(all.begin(), all.end(), 0U);
+  return canonical_cloud(points, all);
+}
+
+TEST(BeamGrid, EveryPointIsInItsCellOnce) {
+  const auto cloud = sphere_of_points(5000);
+  const BeamGrid grid(cloud, Eigen::Vector3d::Zero());
+  std::vector<int> seen(cloud.size(), 0);
+  for (std::uint32_t cell = 0; cell < grid.cell_count(); ++cell) {
+    for (const auto p : grid.points(cell)) {
+      ++seen[p];
+      EXPECT_EQ(grid.cell_of_point(p), cell);
+    }
+  }
+  EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<long>(cloud.size()));
+}
+
+// Across the edges of the cube too: what lies around a cell is near it in direction.
+TEST(BeamGrid, NeighboursLookTheSameWay) {
+  const auto cloud = sphere_of_points(20000);
+  const BeamGrid grid(cloud, Eigen::Vector3d::Zero());
+  const double faces = static_cast<double>(grid.cell_count()) / 6.0;
+  const double cell_angle = 2.0 / std::sqrt(faces);  // at the middle of a face, the largest
+  std::size_t compared = 0;
+  for (std::size_t i = 0; i < cloud.size(); i += 7) {
+    const auto cells = grid.around<1>(grid.cell_of_point(i));
+    EXPECT_EQ(cells[4], grid.cell_of_point(i));
+    for (const auto cell : cells) {
+      ASSERT_LT(cell, grid.cell_count());
+      for (const auto p : grid.points(cell)) {
+        const double cosine = cloud.point(i).cast<double>().normalized().dot(
+            cloud.point(p).cast<double>().normalized());
+        EXPECT_LT(std::acos(std::min(1.0, cosine)), 3.0 * cell_angle);
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 5000U);
+  // Near is found: of pairs closer than half a cell nearly all are neighbours.
+  std::size_t near = 0, found = 0;
+  for (std::size_t i = 0; i < cloud.size(); i += 40) {
+    const auto cells = grid.around<1>(grid.cell_of_point(i));
+    for (std::size_t j = 0; j < cloud.size(); ++j) {
+      const double cosine = cloud.point(i).cast<double>().normalized().dot(
+          cloud.point(j).cast<double>().normalized());
+      if (j == i || std::acos(std::min(1.0, cosine)) > 0.3 * cell_angle) continue;
+      ++near;
+      found += std::find(cells.begin(), cells.end(), grid.cell_of_point(j)) != cells.end();
+    }
+  }
+  EXPECT_GT(near, 100U);
+  EXPECT_GE(static_cast<double>(found), 0.99 * static_cast<double>(near));
+}
+
+}  // namespace
+}  // namespace scanchor
