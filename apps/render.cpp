@@ -16,9 +16,13 @@ namespace {
 
 struct Arguments {
   Common common;
-  std::string input;
+  std::vector<std::string> inputs;
   std::string out = "picture.png";
   std::string color;
+  std::string view = "perspective";
+  std::vector<std::string> titles;
+  std::int32_t relations_of = -1;
+  bool together = false;
   PictureOptions picture;
 };
 
@@ -51,22 +55,80 @@ Color color_of(const std::vector<std::pair<std::string, Color>>& colors, const s
              "known are: " + known);
 }
 
+/// Up as the reasoner had it becomes z.
+Eigen::Isometry3d upright(const Labelling& labelling) {
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  T.linear() =
+      Eigen::Quaterniond::FromTwoVectors(labelling.up, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  return T;
+}
+
+Image picture_of_file(const fs::path& input, const Arguments& arguments,
+                      const PictureOptions& options) {
+  const std::string name = input.filename().string();
+  if (name.ends_with("surfaces.json")) return picture_of_surfaces(read_surfaces(input), options);
+  if (name.ends_with("labels.json")) {
+    const fs::path beside = input.parent_path() / "surfaces.json";
+    if (!fs::exists(beside))
+      fail_data(beside.string(), "", "is not there",
+                "labels are drawn on the surfaces that they name: keep both in one folder");
+    const Labelling labelling = labelling_from_json(read_json(input), input.string());
+    const auto entities = static_cast<std::int32_t>(labelling.entities.size());
+    if (arguments.relations_of >= entities)
+      fail_usage(
+          fmt::format("--relations: {} has no thing {}", input.string(), arguments.relations_of),
+          fmt::format("things are 0 .. {}, and -2: all", entities - 1));
+    DrawLabelsOptions labels;
+    labels.relations_of = arguments.relations_of;
+    return picture_of_labels(read_surfaces(beside), labelling, options, nullptr, upright(labelling),
+                             labels);
+  }
+  if (input.extension() == ".json") {
+    const auto color =
+        color_of(scene_colors(), arguments.color.empty() ? "class" : arguments.color, "a scene");
+    return picture_of_scene(read_scene(input), options, color);
+  }
+  const auto color =
+      color_of(cloud_colors(), arguments.color.empty() ? "height" : arguments.color, "a cloud");
+  const PointCloud cloud = read_cloud(input);
+  require_finite(cloud, input.string());
+  return picture_of_cloud(cloud, options, color);
+}
+
+Image rooms_together(const Arguments& arguments) {
+  std::vector<Scene> scenes;
+  for (const auto& input : arguments.inputs) scenes.push_back(read_scene(input));
+  return picture_of_rooms(
+      scenes, arguments.picture,
+      color_of(scene_colors(), arguments.color.empty() ? "class" : arguments.color, "a scene"));
+}
+
 int run(Arguments& arguments) {
   OptionList list;
   list.add_group("render", arguments.picture.render);
   apply_settings(list, arguments.common);
-  const fs::path input = arguments.input;
+  static const std::vector<std::pair<std::string, Viewpoint>> views = {
+      {"perspective", Viewpoint::perspective},
+      {"top", Viewpoint::top},
+      {"side", Viewpoint::side},
+      {"sensor", Viewpoint::sensor}};
+  for (const auto& [word, view] : views) {
+    if (word == arguments.view) arguments.picture.view = view;
+  }
   Image image;
-  if (input.extension() == ".json") {
-    const auto color =
-        color_of(scene_colors(), arguments.color.empty() ? "class" : arguments.color, "a scene");
-    image = picture_of_scene(read_scene(input), arguments.picture, color);
+  if (arguments.together) {
+    image = rooms_together(arguments);
+  } else if (arguments.inputs.size() == 1) {
+    if (!arguments.titles.empty()) arguments.picture.title = arguments.titles.front();
+    image = picture_of_file(arguments.inputs.front(), arguments, arguments.picture);
   } else {
-    const auto color =
-        color_of(cloud_colors(), arguments.color.empty() ? "height" : arguments.color, "a cloud");
-    const PointCloud cloud = read_cloud(input);
-    require_finite(cloud, arguments.input);
-    image = picture_of_cloud(cloud, arguments.picture, color);
+    std::vector<Image> images;
+    std::vector<std::string> titles = arguments.titles;
+    for (const auto& input : arguments.inputs) {
+      if (titles.size() <= images.size()) titles.push_back(input);
+      images.push_back(picture_of_file(input, arguments, arguments.picture));
+    }
+    image = side_by_side(images, titles);
   }
   write_png(arguments.out, image);
   answer(arguments.common,
@@ -78,14 +140,26 @@ int run(Arguments& arguments) {
 }  // namespace
 
 void add_render(CLI::App& root, ExitCodeSlot& code) {
-  auto* verb = root.add_subcommand("render", "Draw a scene or a cloud into a PNG file, off-screen");
+  auto* verb = root.add_subcommand(
+      "render", "Draw scenes, clouds, surfaces or labels into a PNG file, off-screen");
   verb->footer(
-      "Examples:\n  scanchor render demo/00/scene.json --out scene.png\n"
-      "  scanchor render demo/00/scan.pcd --color class --azimuth 30 --out cloud.png");
+      "Examples:\n  scanchor render demo/00/scene.json --view top --out scene.png\n"
+      "  scanchor render demo/00/scan.pcd --color class --azimuth 30 --out cloud.png\n"
+      "  scanchor render demo/00/labels.json --relations 12 --out why.png\n"
+      "  scanchor render before/00/labels.json after/00/labels.json --title before --title after\n"
+      "  scanchor render demo/*/scene.json --together --out floor.png");
   auto arguments = std::make_shared<Arguments>();
-  verb->add_option("input", arguments->input, "scene.json, or a cloud (PCD, PLY, XYZ, bin)")
+  verb->add_option("input", arguments->inputs,
+                   "scene.json, surfaces.json, labels.json (beside surfaces.json), or a cloud "
+                   "(PCD, PLY, XYZ, bin); several: side by side")
       ->required()
-      ->type_name("FILE");
+      ->type_name("FILE...");
+  verb->add_option("--view", arguments->view, "Where one stands")
+      ->check(CLI::IsMember({"perspective", "top", "side", "sensor"}))
+      ->capture_default_str();
+  verb->add_flag("--together", arguments->together, "Several scenes as rooms of one floor");
+  verb->add_option("--relations", arguments->relations_of,
+                   "Arrows for the proof of this thing of labels.json; -2: of all things");
   verb->add_option("--out", arguments->out, "The picture")->type_name("PNG")->capture_default_str();
   verb->add_option("--color", arguments->color,
                    "By what: class, material, instance; for clouds also height, plane, intensity, "
@@ -95,7 +169,9 @@ void add_render(CLI::App& root, ExitCodeSlot& code) {
       ->capture_default_str();
   verb->add_option("--elevation", arguments->picture.elevation_deg, "Of the eye [deg]")
       ->capture_default_str();
-  verb->add_option("--title", arguments->picture.title, "Written over the picture");
+  verb->add_option("--title", arguments->titles, "Written over the picture (repeatable)")
+      ->expected(1)
+      ->take_all();
   add_common(*verb, arguments->common);
   verb->callback([arguments, &code] { code = run(*arguments); });
 }

@@ -76,9 +76,19 @@ class Renderer {
     gl_.BindVertexArray(array_);
 
     draw_meshes(drawing, projection, false);
-    draw_points(drawing, projection, height);
-    draw_lines(drawing, projection, width, height);
-    draw_meshes(drawing, projection, true);
+    if (samples_ > 1 && nothing_over_points(drawing)) {
+      // Points smooth their own edges: drawn once a pixel, after the samples of all else have
+      // become pixels, they cost half.
+      draw_lines(drawing, projection, width, height);
+      resolve(width, height);
+      gl_.BindFramebuffer(gl::framebuffer, single_.framebuffer);
+      draw_points(drawing, projection, height, false);
+    } else {
+      draw_points(drawing, projection, height, true);
+      draw_lines(drawing, projection, width, height);
+      draw_meshes(drawing, projection, true);
+      resolve(width, height);
+    }
     return read(projection, width, height);
   }
 
@@ -272,11 +282,30 @@ class Renderer {
     return mesh;
   }
 
-  void draw_points(const Drawing& drawing, const Projection& projection, int height) {
+  /// Whether points may come last: nothing translucent lies over them, no line shows through them.
+  static bool nothing_over_points(const Drawing& drawing) {
+    const auto solid = [](Color color) { return color.a == 0 || color.a == 255; };
+    return std::all_of(
+               drawing.meshes.begin(), drawing.meshes.end(),
+               [&](const DrawnMesh& m) { return m.colors.empty() || solid(m.colors[0]); }) &&
+           std::all_of(drawing.polygons.begin(), drawing.polygons.end(),
+                       [&](const DrawnPolygon& p) { return solid(p.fill); }) &&
+           std::none_of(drawing.lines.begin(), drawing.lines.end(),
+                        [](const DrawnLines& l) { return l.hidden; });
+  }
+
+  /// `samples`: a disc's edge is given to the samples of its pixels; otherwise it is blended.
+  void draw_points(const Drawing& drawing, const Projection& projection, int height, bool samples) {
     if (drawing.points.empty()) return;
     gl_.UseProgram(point_program_);
     set_matrix(point_program_, projection);
-    gl_.Enable(gl::sample_alpha_to_coverage);
+    if (samples) {
+      gl_.Enable(gl::sample_alpha_to_coverage);
+    } else {
+      gl_.Enable(gl::blend);
+      gl_.BlendFuncSeparate(gl::src_alpha, gl::one_minus_src_alpha, gl::one,
+                            gl::one_minus_src_alpha);
+    }
     gl_.DisableVertexAttribArray(1);
     for (const DrawnPoints& group : drawing.points) {
       // In perspective clip w is the distance, so size in pixels = pixels per metre at 1 m * size /
@@ -299,7 +328,7 @@ class Renderer {
         gl_.DrawArrays(gl::points, 0, int(count));
       }
     }
-    gl_.Disable(gl::sample_alpha_to_coverage);
+    gl_.Disable(samples ? gl::sample_alpha_to_coverage : gl::blend);
   }
 
   /// Core profiles promise lines of one pixel only, so each piece becomes two triangles in clip
@@ -376,11 +405,15 @@ class Renderer {
     for (const int i : {0, 1, 2, 0, 2, 3}) vertices.push_back(c[i]);
   }
 
-  Frame read(const Projection& projection, int width, int height) {
+  /// Samples become pixels.
+  void resolve(int width, int height) {
     gl_.BindFramebuffer(gl::read_framebuffer, multi_.framebuffer);
     gl_.BindFramebuffer(gl::draw_framebuffer, single_.framebuffer);
     gl_.BlitFramebuffer(0, 0, width, height, 0, 0, width, height,
                         gl::color_buffer_bit | gl::depth_buffer_bit, gl::nearest);
+  }
+
+  Frame read(const Projection& projection, int width, int height) {
     gl_.BindFramebuffer(gl::framebuffer, single_.framebuffer);
     gl_.PixelStorei(gl::pack_alignment, 1);
     const std::size_t row = std::size_t(width);

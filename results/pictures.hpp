@@ -2,6 +2,7 @@
 // The pictures that most people want, in one call each: 1280 x 720 unless told otherwise.
 
 #include <string>
+#include <vector>
 
 #include "results/draw_cloud.hpp"
 #include "results/draw_labels.hpp"
@@ -11,15 +12,22 @@
 
 namespace scanchor {
 
+/// Where one stands: outside, straight above, level beside, or where the sensor stood.
+enum class Viewpoint { perspective, top, side, sensor };
+
 struct PictureOptions {
   RenderOptions render;
+  Viewpoint view = Viewpoint::perspective;
   double azimuth_deg = -122.0;  ///< of the eye, counter-clockwise from +x
-  double elevation_deg = 42.0;  ///< of the eye above the horizon
+  double elevation_deg = 42.0;  ///< of the eye above the horizon; perspective only
   std::string title;            ///< empty: a plain one
 };
 
-/// The room, opened towards the viewer.
+/// The room, opened towards the viewer. The sensor stands at the scene's first pose.
 Image picture_of_scene(const Scene& scene, const PictureOptions& options = {},
+                       SceneColor color = SceneColor::class_id);
+/// Several rooms on one floor, set apart.
+Image picture_of_rooms(const std::vector<Scene>& scenes, const PictureOptions& options = {},
                        SceneColor color = SceneColor::class_id);
 /// The scan in the world's frame; near walls and the ceiling are left out by the truth. Same view
 /// as picture_of_scene().
