@@ -212,6 +212,11 @@ GateReport compare_runs(const RunResult& before, const RunResult& after, const G
       fail_data("", "scene " + row.name, "was made from another seed in the baseline",
                 "scenes must not be drawn anew between runs");
     }
+    const std::string& was_hash = found->second->scan_hash;
+    if (!was_hash.empty() && !row.scan_hash.empty() && was_hash != row.scan_hash) {
+      fail_data("", "scene " + row.name, "has other scans than in the baseline",
+                "what makes rooms or scans changed: measure the baseline anew");
+    }
     first.push_back(&found->second->score);
     second.push_back(&row.score);
     rows.push_back(&row);

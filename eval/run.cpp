@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "core/parallel.hpp"
 #include "sensors/made_room.hpp"
 
@@ -46,6 +47,7 @@ SceneRow run_scene(const SceneTask& task, int scans, const Method& method,
   for (std::size_t k = 0; k < made.scans.size(); ++k) {
     const Scan& scan = made.scans[k];
     const std::string name = task.name + "/" + std::to_string(k);
+    row.scan_hash = sha256(row.scan_hash + hash_of_scan(scan)).substr(0, 16);
     Stopwatch watch;
     MethodAnswer said;
     std::string cause;
@@ -115,6 +117,20 @@ MadeScene make_scene(const SceneTask& task, int scans, StageTimes* times) {
   spent.scan = watch.lap();
   if (times) times->add(spent);
   return made;
+}
+
+std::string hash_of_scan(const Scan& scan) {
+  std::string bytes;
+  const auto add = [&](const auto& list) {
+    const auto* first = reinterpret_cast<const char*>(list.data());
+    bytes.append(first, list.size() * sizeof(list[0]));
+  };
+  add(scan.cloud.points);
+  add(scan.truth.class_id);
+  add(scan.truth.instance);
+  add(scan.truth.face);
+  add(scan.truth.flags);
+  return sha256(bytes).substr(0, 16);
 }
 
 Method own_method(const PerceiveOptions& perceive_options, const Ontology& ontology,

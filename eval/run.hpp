@@ -69,6 +69,9 @@ struct SceneRow {
   Score score;
   StageTimes times;
   std::string problem;  ///< what did not come to rest; empty: all well
+  /// First 16 digits of the SHA-256 of the scans' points and truth: the lock of the scene. Runs of
+  /// scenes that were made otherwise are not compared. Empty: not known.
+  std::string scan_hash;
 };
 
 struct RunResult {
@@ -99,6 +102,9 @@ struct MadeScene {
   std::string problem;
 };
 MadeScene make_scene(const SceneTask& task, int scans, StageTimes* times = nullptr);
+
+/// SceneRow::scan_hash of one scan.
+std::string hash_of_scan(const Scan& scan);
 
 /// Pools rows that belong together, in the order of the suite; duplicates and rows of other data or
 /// protocols throw Error(bad_data). This is how shards are laid side by side.

@@ -63,6 +63,7 @@ Json run_to_json(const RunResult& result, bool with_times) {
     one["family"] = row.family;
     one["seed"] = row.seed;
     one["problem"] = row.problem;
+    if (!row.scan_hash.empty()) one["scan_hash"] = row.scan_hash;
     if (with_times) one["stages"] = times_out(row.times);
     one["score"] = score_to_json(row.score, result.protocol);
     one["score"].erase("metrics");
@@ -103,6 +104,7 @@ RunResult run_from_json(const Json& json, const std::string& file) {
     row.family = one.at("family").text();
     row.seed = one.at("seed").raw().get<std::uint64_t>();
     row.problem = one.at("problem").text();
+    if (one.has("scan_hash")) row.scan_hash = one.at("scan_hash").text();
     if (one.has("stages")) row.times = times_in(one.at("stages"));
     row.score =
         score_from_json(one.at("score").raw(), file + ": scenes[" + std::to_string(i) + "]");

@@ -98,7 +98,7 @@ export function rooms(run, open) {
 
 /** A sweep's curves with their intervals: {x, unit, curves: [{name, value, low, high}]}. */
 export function sweep(curve) {
-  const colors = ['#0072b2', '#d55e00', '#009e73', '#cc79a7'];
+  const colors = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#56b4e9', '#e69f00'];
   const [node, box] = figure(curve.title, curve.words ?? '');
   const data = [curve.x];
   const series = [{label: curve.axis, value: (u, v) => v}];
@@ -106,10 +106,12 @@ export function sweep(curve) {
   curve.curves.forEach((c, i) => {
     const color = colors[i % colors.length];
     data.push(c.value);
-    series.push({label: c.name, stroke: color, width: 2, points: {show: true, size: 6}});
+    series.push({label: c.name, stroke: color, width: 2, points: {show: true, size: 6}, value: (u, v) => (v == null ? '–' : v.toFixed(3))});
     if (!c.low) return;
     data.push(c.high, c.low);
-    series.push({label: `${c.name} high`, stroke: 'transparent', points: {show: false}}, {label: `${c.name} low`, stroke: 'transparent', points: {show: false}});
+    // The ends of the band are no curves of their own: the style sheet leaves them out of the legend.
+    const end = {stroke: 'transparent', points: {show: false}, class: 'band'};
+    series.push({...end, label: `${c.name} high`}, {...end, label: `${c.name} low`});
     bands.push({series: [data.length - 2, data.length - 1], fill: `${color}33`});
   });
   requestAnimationFrame(() => show(box, {

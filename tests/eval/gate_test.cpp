@@ -136,6 +136,17 @@ TEST(Gate, OtherProtocolOrDataIsRefused) {
   RunResult redrawn = before;
   redrawn.rows[3].seed = 99;
   EXPECT_THROW(compare_runs(before, redrawn, quick()), Error);
+  RunResult locked = before, remade = before;  // the same seed, but the generator changed
+  locked.rows[3].scan_hash = "0123456789abcdef";
+  remade.rows[3].scan_hash = "fedcba9876543210";
+  EXPECT_NO_THROW(compare_runs(before, remade, quick()));  // an old baseline without hashes
+  try {
+    compare_runs(locked, remade, quick());
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::bad_data);
+    EXPECT_THAT(error.what(), testing::HasSubstr("scene 3: has other scans"));
+  }
 }
 
 TEST(Gate, NothingInCommonIsNothingMeasured) {

@@ -55,6 +55,17 @@ TEST(Run, PoolsItsScenesAndDoesNotDependOnThreads) {
   EXPECT_EQ(metric(one.pooled, one.protocol, "objects.recall"), 1.0);
 }
 
+TEST(Run, AScenesHashIsThatOfItsScans) {
+  const RunResult run = run_suite(tiny_suite(), oracle(), all_parts());
+  EXPECT_EQ(run.rows[0].scan_hash.size(), 16U);
+  EXPECT_NE(run.rows[0].scan_hash, run.rows[1].scan_hash);
+  Suite noisier = tiny_suite();
+  noisier.lidar.range_sigma *= 1.01;
+  EXPECT_NE(run_suite(noisier, oracle(), all_parts()).rows[0].scan_hash, run.rows[0].scan_hash);
+  const RunResult back = run_from_json(run_to_json(run), "run.json");
+  EXPECT_EQ(back.rows[2].scan_hash, run.rows[2].scan_hash);
+}
+
 TEST(Run, ShardsLaidSideBySideAreTheWhole) {
   const RunResult whole = run_suite(tiny_suite(), oracle(), all_parts());
   std::vector<RunResult> parts;
