@@ -65,6 +65,7 @@ struct BadPrediction {
   const char* arguments;  ///< beside --truth and --predictions
   const char* message;
   int code = 3;
+  friend void PrintTo(const BadPrediction& bad, std::ostream* out) { *out << bad.name; }
 };
 
 class BadPredictions : public testing::TestWithParam<BadPrediction> {};
