@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
@@ -46,8 +47,23 @@ double support(const Surfaces& surfaces, const Eigen::Vector3d& up) {
   return sum;
 }
 
-/// Middle heights hold furniture: tops that are seen from above, in the lower half of the room. The
-/// sign of the sum says whether the direction or its opposite is up; about one unit a square metre.
+/// Lowest and highest point of a surface's rectangle along a direction [m].
+std::pair<double, double> reach(const Surface& surface, const Eigen::Vector3d& up) {
+  const auto& r = surface.rectangle;
+  const double c = std::cos(r.angle);
+  const double s = std::sin(r.angle);
+  const Eigen::Matrix3d axes = surface.T_cloud_surface.linear();
+  const double half = 0.5 * std::abs(up.dot(axes * Eigen::Vector3d(c, s, 0.0))) * r.length.value +
+                      0.5 * std::abs(up.dot(axes * Eigen::Vector3d(-s, c, 0.0))) * r.width.value;
+  const double middle =
+      up.dot(surface.T_cloud_surface * Eigen::Vector3d(r.center.x(), r.center.y(), 0.0));
+  return {middle - half, middle + half};
+}
+
+/// Furniture stands on the floor and ends below the ceiling, and the tops among it lie in the lower
+/// half of the room, where they are seen from above. The sign of the sum says whether the direction
+/// or its opposite is up; about two units a square metre. Boards of high racks are seen from below
+/// and speak against it, so what stands weighs more than what lies.
 double upright_evidence(const Surfaces& surfaces, const Eigen::Vector3d& up) {
   double low = INFINITY;
   double high = -INFINITY;
@@ -61,7 +77,17 @@ double upright_evidence(const Surfaces& surfaces, const Eigen::Vector3d& up) {
   double evidence = 0.0;
   for (const auto& surface : surfaces.surfaces) {
     const double c = surface.plane.normal.dot(up);
-    if (std::abs(c) < 0.97 || area_of(surface) < 0.05) continue;
+    if (area_of(surface) < 0.05) continue;
+    if (std::abs(c) < 0.1 && high - low > 1.8) {
+      const auto [bottom, top] = reach(surface, up);
+      // What is taller may be a wall, of which the other part is hidden. Each thing has one voice:
+      // the many small ones stand, while the large ones among those that hang are pieces of walls.
+      if (top - bottom > 0.45 * (high - low)) continue;
+      const double voice = std::min(1.0, area_of(surface) / 0.15);
+      if (bottom < low + 0.2 && top < high - 0.4) evidence += voice;
+      if (top > high - 0.2 && bottom > low + 0.4) evidence -= voice;
+    }
+    if (std::abs(c) < 0.97) continue;
     const double z = up.dot(surface.plane.centroid);
     // The lowest and the highest planes are floor and ceiling either way round; real ones come in
     // pieces at several heights.

@@ -66,6 +66,25 @@ TEST(Up, UpsideDownIsNoticed) {
   EXPECT_LT(find_up(full, "0,0,-1", 0.03).upright, 0.3);
 }
 
+TEST(Up, HighRacksAreNotUpsideDown) {
+  // An aisle between racks of 4 m: most boards hang above the scanner and are seen from below, but
+  // cartons and posts stand on the floor.
+  std::vector<test::Plate> plates = {{{4, 0, 0}, {0, 0, 1}, {1, 0, 0}, 12, 4},        // floor
+                                     {{4, 0, 5}, {0, 0, -1}, {1, 0, 0}, 12, 4},       // ceiling
+                                     {{4, 2.2, 2.5}, {0, -1, 0}, {1, 0, 0}, 12, 5}};  // wall
+  for (int i = 0; i < 5; ++i) {
+    for (const double z : {1.8, 2.8, 3.8})
+      plates.push_back({{2.0 * i, 1.5, z}, {0, 0, -1}, {1, 0, 0}, 1.8, 0.9});
+    for (int k = 0; k < 6; ++k)
+      plates.push_back({{2.0 * i + 0.3 * k - 0.9, 1.2, 0.2}, {0, -1, 0}, {1, 0, 0}, 0.4, 0.4});
+    plates.push_back({{2.0 * i + 1.0, 1.2, 2.0}, {0, -1, 0}, {0, 0, 1}, 4.0, 0.1});
+  }
+  auto aisle = test::make_surfaces(plates);
+  aisle.sensor_positions = {Eigen::Vector3d(0, 0, 1.4)};
+  EXPECT_GT(find_up(aisle, "0,0,1", 0.03).upright, 0.9);
+  EXPECT_LT(find_up(aisle, "0,0,-1", 0.03).upright, 0.5);
+}
+
 TEST(Up, RefusesWhatIsNoDirection) {
   EXPECT_THROW(find_up(Surfaces{}, "upwards", 0.03), Error);
   EXPECT_THROW(find_up(Surfaces{}, "0,0,0", 0.03), Error);
