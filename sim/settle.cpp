@@ -10,6 +10,8 @@
 #include <memory>
 #include <mutex>
 
+#include "sim/inside.hpp"
+
 namespace scanchor {
 namespace {
 
@@ -397,6 +399,14 @@ SettleReport Settling::run() {
           fmt::format("{} still moves at {:.3f} m/s", name(thing), thing.speed));
     } else if (thing.carried < thing.awake - look) {
       report.problems.push_back(fmt::format("{} hangs in the air", name(thing)));
+    }
+  }
+  for (const Loose& thing : loose_) {
+    const Instance& instance = scene_.instances[thing.instance];
+    for (const Instance& other : scene_.instances) {
+      if (!other.loose && other.kind != "wall" && sunk_into(instance, other, allowed_penetration))
+        report.problems.push_back(
+            fmt::format("{} has sunk into {} {}", name(thing), other.kind, other.id));
     }
   }
   if (report.deepest_penetration > allowed_penetration) {

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "core/error.hpp"
+#include "sim/edge_guard.hpp"
 #include "sim/embree_compat.hpp"
 
 #if defined(__SSE__)
@@ -96,9 +97,11 @@ struct World::Impl {
   WorldOptions options;
   std::vector<FaceAddress> faces;
   std::vector<TriangleTruth> truth;
-  std::vector<Eigen::Vector3d> corners;  // three a triangle
-  std::vector<SurfaceRecord> surfaces;   // one a triangle
-  std::vector<bool> planar;              // one a triangle: its face is planar
+  std::vector<Eigen::Vector3d> corners;   // three a triangle
+  std::vector<SurfaceRecord> surfaces;    // one a triangle
+  std::vector<bool> planar;               // one a triangle: its face is planar
+  std::vector<std::uint32_t> part_begin;  // first triangle of each part
+  std::unique_ptr<EdgeGuard> guard;
   RTCScene embree = nullptr;
   mutable std::once_flag outline_once;
   mutable std::vector<OutlineEdge> outline;
@@ -113,6 +116,10 @@ struct World::Impl {
   void find_outline() const;
   [[nodiscard]] double range(std::uint32_t t, double ox, double oy, double oz, double dx, double dy,
                              double dz) const;
+  [[nodiscard]] std::uint32_t decide(const RayColumns& rays, std::size_t k, double tnear) const {
+    return guard->nearest({rays.origin_x[k], rays.origin_y[k], rays.origin_z[k]},
+                          {rays.direction_x[k], rays.direction_y[k], rays.direction_z[k]}, tnear);
+  }
   template <int width>
   void trace_packets(const RayColumns& rays, std::uint32_t* triangle, float tnear) const;
   void trace_single(const RayColumns& rays, std::uint32_t* triangle, float tnear) const;
@@ -126,6 +133,7 @@ void World::Impl::collect() {
     for (std::size_t p = 0; p < instance.parts.size(); ++p) {
       const Part& part = instance.parts[p];
       const Eigen::Isometry3d T_world_part = instance.T_world_instance * part.T_instance_part;
+      part_begin.push_back(static_cast<std::uint32_t>(truth.size()));
       for (std::size_t t = 0; t < part.triangles.size(); ++t) {
         const std::int32_t face = part.triangle_face[t];
         for (int c = 0; c < 3; ++c) {
@@ -189,11 +197,16 @@ void World::Impl::build() {
       geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * count));
   auto* indices = static_cast<unsigned int*>(rtcSetNewGeometryBuffer(
       geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned int), count));
-  for (std::size_t v = 0; v < 3 * count; ++v) {
-    for (int axis = 0; axis < 3; ++axis) {
-      vertices[3 * v + static_cast<std::size_t>(axis)] = static_cast<float>(corners[v][axis]);
+  guard = std::make_unique<EdgeGuard>(corners, part_begin);
+  for (std::size_t t = 0; t < count; ++t) {
+    Eigen::Vector3f three[3];
+    guard->with_rim(t, three);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::size_t v = 3 * t + c;
+      for (int axis = 0; axis < 3; ++axis)
+        vertices[3 * v + static_cast<std::size_t>(axis)] = three[c][axis];
+      indices[v] = static_cast<unsigned int>(v);
     }
-    indices[v] = static_cast<unsigned int>(v);
   }
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(embree, geometry);
@@ -278,8 +291,13 @@ void World::Impl::trace_packets(const RayColumns& rays, std::uint32_t* triangle,
     }
     embree::intersect(valid, embree, one_origin ? coherent : incoherent, packet);
     // An untouched primID is RTC_INVALID_GEOMETRY_ID, which is our no_hit.
-    for (int i = 0; i < n; ++i)
-      triangle[first + static_cast<std::size_t>(i)] = packet.hit.primID[i];
+    for (int i = 0; i < n; ++i) {
+      const std::size_t k = first + static_cast<std::size_t>(i);
+      const std::uint32_t t = packet.hit.primID[i];
+      triangle[k] = t;
+      if (t != no_hit && guard->on_rim(t, packet.hit.u[i], packet.hit.v[i]))
+        triangle[k] = decide(rays, k, tnear);
+    }
   }
 }
 
@@ -301,6 +319,8 @@ void World::Impl::trace_single(const RayColumns& rays, std::uint32_t* triangle, 
     one.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     embree::intersect(embree, query, one);
     triangle[k] = one.hit.primID;
+    if (one.hit.primID != no_hit && guard->on_rim(one.hit.primID, one.hit.u, one.hit.v))
+      triangle[k] = decide(rays, k, tnear);
   }
 }
 
