@@ -20,6 +20,12 @@ bool carries(const std::string& part) {
   return false;
 }
 
+bool has_tied_faces(const Instance& thing) {
+  Scene alone;
+  alone.instances.push_back(thing);
+  return !close_parallel_faces(alone, least_gap).empty();
+}
+
 }  // namespace
 
 Placer::Placer(Scene& scene, const RoomShell& room, const RoomOptions& options,
@@ -40,7 +46,13 @@ Instance Placer::make(const std::string& kind, const std::string& variant,
   request.parameters = parameters;
   request.unusual = options_.unusual_sizes;
   request.seed = stream_seed(scene_.seed, kind, made_++);
-  return make_furniture(scene_, request);
+  Instance thing = make_furniture(scene_, request);
+  // Leaves grow where they like; once in some hundred plants two lie in one plane.
+  while (kind == "plant" && has_tied_faces(thing)) {
+    request.seed = stream_seed(request.seed, kind);
+    thing = make_furniture(scene_, request);
+  }
+  return thing;
 }
 
 double Placer::jitter() {

@@ -28,8 +28,13 @@ inline std::string called(const Instance& thing) {
 /// faces look at each other.
 inline void ask_faces(const Scene& scene, bool settled, std::vector<std::string>& broken) {
   const auto faces = all_faces(scene);
+  const auto looks_down = [&](std::int32_t face) {
+    const WorldFace world = world_face(scene, faces[static_cast<std::size_t>(face)]);
+    return world.normal.z() < -0.99;
+  };
   for (const auto& pair : close_parallel_faces(scene, 0.001)) {
-    if (settled && !pair.same_side) continue;
+    // ... and the undersides of two things that touch on one desk lie in its plane.
+    if (settled && (!pair.same_side || looks_down(pair.face_a))) continue;
     const auto name = [&](std::int32_t face) {
       const FaceAddress& a = faces[static_cast<std::size_t>(face)];
       const Instance& thing = scene.instances[static_cast<std::size_t>(a.instance)];
