@@ -67,24 +67,11 @@ void require_finite(const PointCloud& cloud, const std::string& file) {
 
 void require_surfaces(const ScanArguments& arguments, const PointCloud& cloud,
                       const Surfaces& surfaces) {
-  // Points without any order yield thousands of surfaces by chance, each a tiny share of the
-  // points. The largest surface of a room, or of a building with a hundred of them, is far above
-  // that share.
-  constexpr double least_share = 0.002;
-  std::size_t largest = 0;
-  for (const auto& surface : surfaces.surfaces) largest = std::max(largest, surface.inliers.size());
-  if (static_cast<double>(largest) >= least_share * static_cast<double>(cloud.size()) &&
-      largest > 0)
-    return;
-  if (largest > 0) {
-    throw Error(ExitCode::nothing_measured,
-                fmt::format("{}: no planar surface beyond chance: the largest of {} has {} of {} "
-                            "points; nothing was written",
-                            arguments.scan, surfaces.surfaces.size(), largest, cloud.size()));
-  }
-  throw Error(ExitCode::nothing_measured,
-              fmt::format("{}: no planar surface found in its {} points; nothing was written",
-                          arguments.scan, cloud.size()));
+  if (!surfaces.surfaces.empty()) return;
+  throw Error(
+      ExitCode::nothing_measured,
+      fmt::format("{}: no planar surface beyond chance in its {} points; nothing was written",
+                  arguments.scan, cloud.size()));
 }
 
 std::vector<std::size_t> inlier_counts(const Surfaces& surfaces) {

@@ -37,6 +37,10 @@ struct PlaneReach {
   [[nodiscard]] float distance(float x, float y, float z) const {
     return std::abs(a * x + b * y + c * z - offset);
   }
+  /// On the side that the normal points to.
+  [[nodiscard]] bool above(float x, float y, float z) const {
+    return a * x + b * y + c * z > offset;
+  }
   /// Within three sigma.
   [[nodiscard]] bool holds(float x, float y, float z, float inverse_range) const {
     return distance(x, y, z) <= 3.0F * scatter(inverse_range);

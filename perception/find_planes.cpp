@@ -6,6 +6,7 @@
 #include "perception/bent_planes.hpp"
 #include "perception/cell_planes.hpp"
 #include "perception/cell_tree.hpp"
+#include "perception/chance_planes.hpp"
 #include "perception/connect_planes.hpp"
 #include "perception/noise.hpp"
 #include "perception/paper_planes.hpp"
@@ -106,8 +107,7 @@ Surfaces find_planes(const PointCloud& cloud, const PerceiveOptions& options) {
   surfaces.point_spacing = input.spacing;
 
   if (options.method == "paper") {
-    collect_surfaces(cloud, input, paper_planes(input.cloud, input.sigma, options.paper),
-                     surfaces);
+    collect_surfaces(cloud, input, paper_planes(input.cloud, input.sigma, options.paper), surfaces);
     return surfaces;
   }
   std::vector<std::int32_t> region_of_cell;
@@ -119,6 +119,7 @@ Surfaces find_planes(const PointCloud& cloud, const PerceiveOptions& options) {
   }
   PlaneLabels labels = cell_planes(input.cloud, tree, noise, region_of_cell);
   thin_planes(input.cloud, tree, noise, region_of_cell, labels);
+  drop_chance_planes(input.cloud, tree, labels);
   if (noise.sensor_known) connect_planes(input.cloud, noise, fewest_points, labels);
   if (estimate_flatness(tree, input.sigma) > bent_from * input.sigma)
     join_bent_planes(input.cloud, tree, input.sigma, labels);

@@ -1,0 +1,160 @@
+#include "perception/chance_planes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace scanchor {
+namespace {
+
+constexpr float thick = 3.0F;    // the slab that is looked at, in thicknesses of the plane's own
+constexpr double enough = 1000;  // points that decide; of larger planes a sample is looked at
+
+// The part of a plane that its points cover, in squares of about one and a half spacings.
+class Footprint {
+ public:
+  Footprint(const CanonicalCloud& cloud, const GrownPlane& grown,
+            const std::vector<std::uint32_t>& members)
+      : u_(grown.plane.axes.col(2).cast<float>()), v_(grown.plane.axes.col(1).cast<float>()) {
+    float high_u = -3e38F, high_v = -3e38F;
+    for (const auto p : members) {
+      const Eigen::Vector3f x = cloud.point(p);
+      low_u_ = std::min(low_u_, u_.dot(x));
+      high_u = std::max(high_u, u_.dot(x));
+      low_v_ = std::min(low_v_, v_.dot(x));
+      high_v = std::max(high_v, v_.dot(x));
+    }
+    const auto& variances = grown.plane.variances;  // an even spread has 12 times as much extent^2
+    const double area = 12.0 * std::sqrt(std::max(0.0, variances[1] * variances[2]));
+    constexpr float most = 1000.0F;
+    const float extent = std::max({high_u - low_u_, high_v - low_v_, 1e-6F});
+    side_ =
+        std::max(1.5F * static_cast<float>(std::sqrt(area / static_cast<double>(members.size()))),
+                 extent / most);
+    columns_ = static_cast<int>((high_u - low_u_) / side_) + 1;
+    rows_ = static_cast<int>((high_v - low_v_) / side_) + 1;
+    covered_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0);
+    for (const auto p : members) covered_[static_cast<std::size_t>(square(cloud.point(p)))] = 1;
+    middle_ = 0.5F * Eigen::Vector2f(low_u_ + high_u, low_v_ + high_v);
+    half_ = 0.5F * Eigen::Vector2f(high_u - low_u_, high_v - low_v_);
+  }
+  [[nodiscard]] bool covers(const Eigen::Vector3f& x) const {
+    const int at = square(x);
+    return at >= 0 && covered_[static_cast<std::size_t>(at)] != 0;
+  }
+  /// May a ball reach over the footprint?
+  [[nodiscard]] bool near(const Eigen::Vector3f& x, float radius) const {
+    return std::abs(u_.dot(x) - middle_.x()) <= half_.x() + radius &&
+           std::abs(v_.dot(x) - middle_.y()) <= half_.y() + radius;
+  }
+
+ private:
+  [[nodiscard]] int square(const Eigen::Vector3f& x) const {
+    const float a = (u_.dot(x) - low_u_) / side_, b = (v_.dot(x) - low_v_) / side_;
+    if (a < 0.0F || b < 0.0F || a >= static_cast<float>(columns_) || b >= static_cast<float>(rows_))
+      return -1;
+    return static_cast<int>(b) * columns_ + static_cast<int>(a);
+  }
+  Eigen::Vector3f u_, v_;
+  Eigen::Vector2f middle_, half_;
+  float low_u_ = 3e38F, low_v_ = 3e38F, side_ = 1.0F;
+  int columns_ = 0, rows_ = 0;
+  std::vector<char> covered_;
+};
+
+// Points in a plane's slab and on both sides of it, up to three times as far.
+struct Profile {
+  double inside = 0.0, above = 0.0, below = 0.0;
+  void count(bool in, bool up) { (in ? inside : (up ? above : below)) += 1.0; }
+  /// The border of something that fills a volume has points on one side only: the fuller side
+  /// counts for both. Three points were needed to say where the plane is.
+  [[nodiscard]] double log_chance() const {
+    const double outside = 2.0 * std::max(above, below);
+    return scanchor::log_chance(inside - 3.0, inside + outside - 3.0, 1.0 / thick);
+  }
+};
+
+}  // namespace
+
+double log_chance(double inside, double total, double share) {
+  if (total <= 0.0) return 0.0;
+  const double q = std::min(1.0, inside / total);
+  if (q <= share) return 0.0;
+  double relative = q * std::log(q / share);  // Kullback and Leibler's divergence
+  if (q < 1.0) relative += (1.0 - q) * std::log((1.0 - q) / (1.0 - share));
+  return -total * relative;
+}
+
+void drop_chance_planes(const CanonicalCloud& cloud, const CellTree& tree, PlaneLabels& labels) {
+  if (tree.cells.empty()) return;
+  std::vector<std::vector<std::uint32_t>> members(labels.planes.size());
+  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
+    if (labels.of_point[i] >= 0) members[static_cast<std::size_t>(labels.of_point[i])].push_back(i);
+  }
+  std::vector<std::uint32_t> order(members.size()), open;
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](auto a, auto b) { return members[a].size() > members[b].size(); });
+  std::vector<char> explained(cloud.size(), 0);
+  const double trials = std::log(2.0 * static_cast<double>(tree.cells.size()));
+  for (const auto r : order) {
+    if (members[r].size() < 3) break;
+    const PlaneReach reach(labels.planes[r]);
+    const Footprint footprint(cloud, labels.planes[r], members[r]);
+    const auto stride =
+        1 + static_cast<std::uint32_t>(static_cast<double>(members[r].size()) / enough);
+    Profile wide, narrow;
+    std::uint32_t leaves = 0;
+    open.assign(1, 0);
+    while (!open.empty()) {
+      const Cell& cell = tree.cells[open.back()];
+      open.pop_back();
+      // The cube of the cell, from the code of its first point.
+      const float side = cloud.cell_side(cell.level);
+      const Eigen::Vector3f first = (cloud.point(cell.begin) - cloud.low) / side;
+      const Eigen::Vector3f middle =
+          cloud.low +
+          side * (first.array().floor() + 0.5F).matrix().cwiseMax(Eigen::Vector3f::Constant(0.5F));
+      const float radius = 0.8661F * side;
+      float widest = reach.least;
+      if (reach.height > 0.0F) {  // the nearest point decides; cells near the sensor are small
+        widest = std::max(widest, 2.0F * reach.scatter(cloud.inverse_range[cell.begin]));
+      }
+      if (cell.children != 0 && cell.size() > 64) {
+        // Of a cell with many points nothing is known of the range of each: only its place counts.
+        widest = std::max(widest, static_cast<float>(labels.planes[r].sigma) * 4.0F);
+      }
+      if (reach.distance(middle.x(), middle.y(), middle.z()) > 3.0F * thick * widest + radius ||
+          !footprint.near(middle, radius))
+        continue;
+      if (cell.children != 0) {
+        for (std::uint32_t c = 0; c < cell.children; ++c) open.push_back(cell.child + c);
+        continue;
+      }
+      if (leaves++ % stride != 0) continue;
+      for (auto p = cell.begin; p < cell.end; ++p) {
+        const bool own = labels.of_point[p] == static_cast<std::int32_t>(r);
+        if (!own && explained[p] != 0) continue;
+        const float away = reach.distance(cloud.x[p], cloud.y[p], cloud.z[p]) /
+                           (3.0F * reach.scatter(cloud.inverse_range[p]));
+        if (away > thick || !footprint.covers(cloud.point(p))) continue;
+        const bool above = reach.above(cloud.x[p], cloud.y[p], cloud.z[p]);
+        if (own || away > 1.0F) wide.count(own, above);
+        if (away <= 0.5F * thick) narrow.count(away <= 0.5F, above);
+      }
+    }
+    // The plane was moved to where its middle is fullest: one trial for each choice of three
+    // points.
+    const double moved = 3.0 * std::log(static_cast<double>(members[r].size()));
+    const bool stands = wide.log_chance() < -trials || narrow.log_chance() < -trials - moved;
+    for (const auto p : members[r]) {
+      if (stands) {
+        explained[p] = 1;
+      } else {
+        labels.of_point[p] = -1;
+      }
+    }
+  }
+}
+
+}  // namespace scanchor
