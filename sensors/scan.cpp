@@ -1,5 +1,7 @@
 #include "sensors/scan.hpp"
 
+#include <algorithm>
+
 #include "core/error.hpp"
 
 namespace scanchor {
@@ -30,7 +32,11 @@ PointCloud cloud_with_truth(const Scan& scan) {
   if (scan.truth.size() != cloud.size()) {
     fail_data("scan", "", "truth and points differ in number");
   }
-  cloud.set({"label", scan.truth.class_id});
+  // Unsigned, as PCL's PointXYZL wants it: of another type it finds no label at all.
+  std::vector<std::uint32_t> label(scan.truth.size());
+  for (std::size_t i = 0; i < label.size(); ++i)
+    label[i] = static_cast<std::uint32_t>(std::max(0, scan.truth.class_id[i]));
+  cloud.set({"label", std::move(label)});
   cloud.set({"instance", scan.truth.instance});
   cloud.set({"part", scan.truth.part});
   cloud.set({"face", scan.truth.face});

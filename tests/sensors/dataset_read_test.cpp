@@ -180,6 +180,14 @@ std::string summary(const fs::path& root, const Suite& suite) {
   return text;
 }
 
+/// A Python that has numpy; empty: there is none.
+std::string python_with_numpy() {
+  for (const char* name : {"/usr/bin/python3", "python3"}) {
+    if (output_of(std::string(name) + " -c 'import numpy'")) return name;
+  }
+  return "";
+}
+
 TEST(DatasetRead, IndependentReadersReadTheSame) {
   const TemporaryFolder folder;
   const Suite suite = small_suite();
@@ -190,10 +198,7 @@ TEST(DatasetRead, IndependentReadersReadTheSame) {
   for (const auto& sequence : dataset.sequences)
     points += read_dataset_scan(sequence, 0).cloud.size();
   EXPECT_GT(points, 1000U);
-  std::string python;
-  for (const char* name : {"/usr/bin/python3", "python3"}) {
-    if (output_of(std::string(name) + " -c 'import numpy'")) python = name;
-  }
+  const std::string python = python_with_numpy();
   RecordProperty("independent_reader", python.empty() ? "C++ only" : "numpy");
   if (python.empty()) {
     std::printf("no Python with numpy here: the reads above are the independent reader\n");
@@ -202,6 +207,25 @@ TEST(DatasetRead, IndependentReadersReadTheSame) {
   EXPECT_EQ(output_of(python + " '" + SCANCHOR_SOURCE_DIR +
                       "/tests/sensors/support/read_dataset.py' '" + (folder / "a").string() + "'"),
             expected);
+}
+
+// PCD, PLY, KITTI and NPY by a reader that knows only the formats' own documents: the same points,
+// labels and instances in all of them, and every SHA-256 of the card.
+TEST(DatasetRead, IndependentReadersFindTheSameInEveryForm) {
+  const TemporaryFolder folder;
+  Suite suite = small_suite();
+  DatasetOptions options;
+  options.formats = {.truth = true, .pcd = true, .ply = true, .s3dis = true};
+  const DatasetResult result = generate_dataset(suite, folder / "a", options);
+  EXPECT_TRUE(verify_dataset(folder / "a").empty());
+  const std::string python = python_with_numpy();
+  RecordProperty("independent_reader", python.empty() ? "C++ only" : "numpy");
+  if (python.empty()) return;
+  const auto said =
+      output_of(python + " '" + SCANCHOR_SOURCE_DIR + "/tests/sensors/support/read_clouds.py' '" +
+                (folder / "a").string() + "'");
+  ASSERT_TRUE(said.has_value()) << "the reader found a difference";
+  EXPECT_EQ(said->substr(0, said->find(',')), std::to_string(result.scans_written) + " scans");
 }
 
 }  // namespace

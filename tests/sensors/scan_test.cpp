@@ -23,6 +23,8 @@ TEST(Scan, TruthTravelsAsFieldsAndComesBack) {
   const Scan scan = small_scan();
   const PointCloud cloud = cloud_with_truth(scan);
   ASSERT_NE(cloud.find("label"), nullptr);
+  EXPECT_TRUE(std::holds_alternative<std::vector<std::uint32_t>>(cloud.find("label")->values))
+      << "PCL's readers take the field for a label only as uint32";
   EXPECT_EQ(cloud.find("label")->at(1), 5.0);
   EXPECT_EQ(cloud.fields.size(), 11U);
   const Scan back = scan_from_cloud(cloud);
