@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scanchor=${SCANCHOR:-build/release/bin/scanchor}
-scenes=${SCENES:-60}
+scenes=${SCENES:-100}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 sed -e "s/^scenes: .*/scenes: $((2 * scenes))/" -e 's/^name: .*/name: faults/' suites/quick.yaml >"$work/faults.yaml"
@@ -21,7 +21,8 @@ plant() {  # title, arguments of check...
   "$scanchor" check "$work/faults.yaml" --split train "$@" || code=$?
   [ "$code" -eq 1 ] || { printf 'NOT CAUGHT (exit code %s)\n' "$code"; missed=1; }
 }
-plant "delta doubled" --method paper --baseline "$work/paper.json" --set perceive.paper_delta=4.5
+# delta bounds a mean square: 9 instead of 2.25 squared sigmas is twice the distance.
+plant "delta doubled" --method paper --baseline "$work/paper.json" --set perceive.paper_delta=9
 plant "k halved" --method paper --baseline "$work/paper.json" --set perceive.paper_neighbours=10
 plant "two labels swapped" --baseline "$work/default.json" --ontology "$work/swapped.sdl"
 exit "$missed"

@@ -30,7 +30,7 @@ TEST(QuickSuite, HasEnoughTestRoomsForAVerdictAndIsNotWorseThanItself) {
   ASSERT_EQ(ran.code, 0) << ran.out << ran.error;
   const Json json = Json::parse(ran.out);
   EXPECT_EQ(json.at("verdict"), "not worse");
-  EXPECT_EQ(json.at("scenes"), 30);
+  EXPECT_EQ(json.at("scenes"), 32);
 }
 
 TEST(QuickSuite, TwoLabelsSwappedFailTheGate) {
