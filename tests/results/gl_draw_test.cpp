@@ -116,6 +116,30 @@ TEST_F(GlDraw, HiddenLinesShowThrough) {
   EXPECT_GT(count(shoot(drawing).image, blue), 700u);
 }
 
+// Points are drawn last unless something translucent is there: what is nearer wins on both ways.
+TEST_F(GlDraw, PointsAndLinesHideEachOtherByDepthOnBothWays) {
+  for (const bool translucent : {false, true}) {
+    for (const bool point_above : {false, true}) {
+      Drawing drawing;
+      DrawnLines lines;
+      lines.ends = {{-2, 0, 1}, {2, 0, 1}};
+      lines.color = blue;
+      lines.width_px = 6.0;
+      drawing.lines.push_back(lines);
+      DrawnPoints points;
+      points.positions = {{0, 0, point_above ? 2.0 : 0.0}};
+      points.colors = {red};
+      points.size_px = 20.0;
+      drawing.points.push_back(points);
+      if (translucent) drawing.meshes.push_back(samples::square(3, 3, 0, {0, 255, 0, 100}, 0.5));
+      const Image image = shoot(drawing).image;
+      EXPECT_EQ(pixel(image, 200, 200), point_above ? red : blue) << translucent;
+      EXPECT_EQ(pixel(image, 200, 193), red) << translucent;  // beside the line, on the disc
+      EXPECT_EQ(pixel(image, 150, 200), blue) << translucent;
+    }
+  }
+}
+
 TEST_F(GlDraw, PolygonsHaveTheirHolesAndAreBlended) {
   Drawing drawing;
   DrawnPolygon polygon;
