@@ -35,7 +35,7 @@ int run(Arguments& arguments) {
   options.shard = parse_shard(arguments.shard);
   options.stop = &interrupted;
   Progress progress("scans", 0, {.quiet = arguments.common.quiet || arguments.common.json});
-  options.progress = [&](std::size_t done, std::size_t) { progress.update(done); };
+  options.progress = [&](std::size_t done, std::size_t total) { progress.update(done, total); };
   const DatasetResult result = generate_dataset(suite, arguments.out, options);
 
   Json json;
@@ -72,7 +72,8 @@ void add_generate(CLI::App& root, ExitCodeSlot& code) {
       "Example:\n  scanchor generate office --scenes 100 --out data --pcd --set "
       "lidar.range_sigma=0.02");
   auto arguments = std::make_shared<Arguments>();
-  verb->add_option("suite", arguments->suite, "A suite by name or file")
+  verb->add_option("suite", arguments->suite,
+                   "quick, office, storage, home, stress, or a YAML file")
       ->type_name("SUITE")
       ->capture_default_str();
   verb->add_option("--out", arguments->out,

@@ -6,6 +6,7 @@
 
 #include "apps/command.hpp"
 #include "core/file.hpp"
+#include "core/progress.hpp"
 #include "results/figures.hpp"
 #include "results/report.hpp"
 
@@ -27,7 +28,13 @@ int report(ReportArguments& arguments) {
       arguments.out.empty() ? fs::path(arguments.run) / "report.html" : fs::path(arguments.out);
   arguments.options.baseline = arguments.baseline;
   arguments.options.sweeps.assign(arguments.sweeps.begin(), arguments.sweeps.end());
-  write_report(arguments.run, html, arguments.options);
+  {
+    Progress progress("rooms", 0, {.quiet = arguments.common.quiet || arguments.common.json});
+    arguments.options.progress = [&](std::size_t done, std::size_t total) {
+      progress.update(done, total);
+    };
+    write_report(arguments.run, html, arguments.options);
+  }
   answer(arguments.common, Json{{"report", html.string()}});
   say(arguments.common, "report: " + html.string());
   return 0;

@@ -115,7 +115,15 @@ MethodScore score_suite(const Suite& suite, const Method& method, const Argument
   const RunResult run = run_suite(suite, method, options);
   if (run.interrupted)
     throw Error(ExitCode::nothing_measured, "interrupted: a part of the scenes is no score");
-  return {method.name, run.pooled, run.times.perceive + run.times.reason};
+  const auto ms = [&](double seconds) {
+    return 1e3 * seconds / static_cast<double>(std::max<std::size_t>(run.rows.size(), 1));
+  };
+  const StageTimes& t = run.times;
+  return {method.name, run.pooled, t.perceive + t.reason,
+          fmt::format("Times per scene [ms]: generate {:.0f}, settle {:.0f}, scan {:.0f}, perceive "
+                      "{:.0f}, reason {:.0f}, score {:.0f}; at most {:.0f} MB.",
+                      ms(t.generate), ms(t.settle), ms(t.scan), ms(t.perceive), ms(t.reason),
+                      ms(t.score), run.peak_memory_mb)};
 }
 
 std::vector<MethodScore> score_all(Arguments& arguments, const Protocol& protocol) {
@@ -171,6 +179,7 @@ int run(Arguments& arguments) {
   answer(common, json);
   if (scored.size() == 1) {
     print_score(common, scored.front().score, protocol);
+    if (!scored.front().cost.empty()) say(common, scored.front().cost);
   } else {
     print_methods(common, scored, protocol);
   }

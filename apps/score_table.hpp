@@ -23,6 +23,7 @@ struct MethodScore {
   std::string name;
   Score score;
   double seconds = 0;  ///< of the method itself, over all scans
+  std::string cost;    ///< time by stage and memory in words; empty: not measured
 };
 
 /// Several methods on the same scans, one a line.

@@ -7,6 +7,7 @@
 
 #include "apps/suite_run.hpp"
 #include "core/file.hpp"
+#include "core/progress.hpp"
 #include "core/random.hpp"
 #include "eval/shrink.hpp"
 
@@ -70,7 +71,11 @@ int run(Arguments& arguments) {
   start.seed = stream_seed(task.seed, "scan", static_cast<std::uint64_t>(arguments.scan));
   const ObjectSummary first = summary_of(start, method, protocol);
   const ThingResult thing = chosen_thing(first, arguments.thing);
+  Progress progress("cases", 0, {.quiet = arguments.common.quiet || arguments.common.json});
   const auto fails = [&](const FailingCase& one) {
+    if (interrupted)
+      throw Error(ExitCode::nothing_measured, "interrupted: nothing smaller was written");
+    progress.add();
     const ObjectSummary summary = summary_of(one, method, protocol);
     return std::any_of(summary.things.begin(), summary.things.end(), [&](const ThingResult& t) {
       return t.instance == thing.instance && t.status == ThingStatus::missed;

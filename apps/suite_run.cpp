@@ -8,7 +8,7 @@
 namespace scanchor::apps {
 
 void add_suite_arguments(CLI::App& verb, SuiteArguments& arguments) {
-  verb.add_option("suite", arguments.suite, "A suite by name or file")
+  verb.add_option("suite", arguments.suite, "quick, office, storage, home, stress, or a YAML file")
       ->type_name("SUITE")
       ->capture_default_str();
   verb.add_option("--scenes", arguments.scenes, "At most so many scenes of the part; 0: all")

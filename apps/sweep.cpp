@@ -158,10 +158,11 @@ std::vector<SweepResult> sweep_methods(const Arguments& arguments, const Suite& 
                                        const std::vector<Axis>& axes, const SweepOptions& options) {
   std::vector<std::string> names = {arguments.method};
   names.insert(names.end(), arguments.against.begin(), arguments.against.end());
+  std::vector<Method> methods;
+  for (const auto& name : names) methods.push_back(load_method(arguments, name));
   std::vector<SweepResult> results;
-  for (const auto& name : names) {
-    const Method method = load_method(arguments, name);
-    Progress progress(name + ", points", 0,
+  for (const auto& method : methods) {
+    Progress progress(method.name + ", points", 0,
                       {.quiet = arguments.common.quiet || arguments.common.json});
     SweepOptions own = options;
     own.progress = [&](std::size_t done, std::size_t total, const SweepPoint&) {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "core/json.hpp"
 
 namespace scanchor {
@@ -26,6 +27,23 @@ int words_in(const std::string& text) {
     inside = letter;
   }
   return words;
+}
+
+// One line a scene: small enough for a repository, and a difference shows which scenes moved.
+std::string lines_of(const Json& run) {
+  std::string text = "{";
+  for (const auto& [key, value] : run.items()) {
+    text += (text.size() > 1 ? ",\n  " : "\n  ") + Json(key).dump() + ": ";
+    if (key != "scenes") {
+      text += value.dump();
+      continue;
+    }
+    text += "[";
+    for (std::size_t i = 0; i < value.size(); ++i)
+      text += (i == 0 ? "\n    " : ",\n    ") + value[i].dump();
+    text += "\n  ]";
+  }
+  return text + "\n}";
 }
 
 }  // namespace
@@ -89,8 +107,10 @@ void write_baseline(const std::filesystem::path& path, const Baseline& baseline)
     history.push_back(std::move(one));
   }
   json["history"] = std::move(history);
-  json["run"] = run_to_json(baseline.run, false);
-  write_json(path, json);
+  if (path.has_parent_path()) make_folder(path.parent_path());
+  write_file(path, "{\n\"format\": " + json["format"].dump() + ",\n\"schema\": " +
+                       json["schema"].dump() + ",\n\"history\": " + json["history"].dump(1) +
+                       ",\n\"run\": " + lines_of(run_to_json(baseline.run, false)) + "\n}\n");
 }
 
 Baseline read_baseline(const std::filesystem::path& path) {

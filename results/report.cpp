@@ -101,6 +101,7 @@ void write_report(const fs::path& run_folder, const fs::path& html, const Report
       if (!view.empty()) {
         out << "<script type=\"text/plain\" id=\"scene-" << i << "\">" << view << "</script>\n";
       }
+      if (options.progress) options.progress(i + 1, scenes.size());
       if (i < std::size_t(options.thumbnails)) {
         if (std::string image = thumbnail(folder / name); !image.empty()) {
           scenes[i]["picture"] = std::move(image);

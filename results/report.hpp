@@ -3,6 +3,7 @@
 // gallery, and every scene in 3D with the proof of each label. docs/reference/report.md.
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ struct ReportOptions {
   int points_per_scene = 30000;               ///< most points of a scene in its 3D view
   double scene_megabytes = 60.0;  ///< of all 3D views together: many scenes have fewer points each
   int thumbnails = 24;            ///< pictures in the gallery
+  std::function<void(std::size_t done, std::size_t total)> progress;  ///< rooms; may be empty
 };
 
 /// Reads what `scanchor run` left in the folder (summary.json; in each room scan, surfaces, labels,

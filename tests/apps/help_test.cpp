@@ -24,7 +24,7 @@ TEST_P(Help, HasAnExampleAndTheCommonFlags) {
 INSTANTIATE_TEST_SUITE_P(Verbs, Help,
                          testing::Values("run", "generate", "label", "segment", "score", "render",
                                          "explain", "report", "figures", "gallery", "check",
-                                         "baseline", "sweep", "blame"),
+                                         "baseline", "sweep", "blame", "shrink"),
                          [](const auto& row) { return std::string(row.param); });
 
 TEST(Help, VersionAndNoVerb) {

@@ -52,6 +52,17 @@ TEST(Baseline, ReadsBackAndHoldsNoTimes) {
   EXPECT_THAT(read_file(folder.path / "b.json"), testing::Not(testing::HasSubstr("wall_seconds")));
 }
 
+TEST(Baseline, ASceneIsALineAndTheFolderIsMade) {
+  const Folder folder;
+  const auto path = folder.path / "results" / "baselines" / "b.json";
+  write_baseline(path, update_baseline({}, run_of(7), "the first one ever", "2026-11-22"));
+  const std::string text = read_file(path);
+  std::size_t scenes = 0;
+  for (std::size_t at = 0; (at = text.find("\n    {\"index\":", at)) != std::string::npos; ++at)
+    ++scenes;
+  EXPECT_EQ(scenes, run_of(7).rows.size());
+}
+
 TEST(Baseline, UpdateSaysWhatChangedAndWantsAReason) {
   const Baseline old = update_baseline({}, run_of(7), "the first one ever", "2026-11-22");
   EXPECT_THROW(update_baseline(old, run_of(8), "", "2026-11-23"), Error);
@@ -67,7 +78,7 @@ TEST(Baseline, AnEditedFileIsNoticed) {
   const auto path = folder.path / "b.json";
   write_baseline(path, update_baseline({}, run_of(7), "the first one ever", "2026-11-22"));
   std::string text = read_file(path);
-  text.replace(text.rfind("\"found\": 7"), 10, "\"found\": 9");
+  text.replace(text.rfind("\"found\":7"), 9, "\"found\":9");
   write_file(path, text);
   try {
     read_baseline(path);
