@@ -13,10 +13,11 @@ void PerceiveOptions::describe(OptionList& list) {
            "returns nearer to a known sensor are its own body; -1: found from the cloud, 0: none",
            -1.0, 10.0);
   list.add("shapes", shapes, "outlines, rectangles and features too; false: stop after the planes");
-  list.add("paper_neighbours", paper.neighbours, "1", "k of the paper's nearest neighbours", 3, 200);
+  list.add("paper_neighbours", paper.neighbours, "1", "k of the paper's nearest neighbours", 3,
+           200);
   list.add("paper_delta", paper.delta, "1",
-           "the paper's delta: bound of a region's mean square error, in squared noise sigmas", 0.01,
-           1000.0);
+           "the paper's delta: bound of a region's mean square error, in squared noise sigmas",
+           0.01, 1000.0);
 }
 
 Surfaces perceive(const PointCloud& cloud, const PerceiveOptions& options) {
