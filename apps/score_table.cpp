@@ -41,7 +41,7 @@ void print_objects(const Common& common, const ObjectScore& score) {
 void print_relations(const Common& common, const RelationScore& score) {
   if (score.clear.empty()) return;
   Table table(
-      {"relation", "right", "wrong", "missed", "prec.", "recall", "near limit", "prec.", "recall"});
+      {"relation", "right", "wrong", "missed", "prec.", "recall", "border", "prec.", "recall"});
   const auto share = [](std::int64_t whole, double value) {
     return whole > 0 ? TableCell(fraction_text(value, 2), tone_of(value, 0.9, 0.7))
                      : TableCell("-", CellTone::faint);
@@ -66,7 +66,8 @@ void print_relations(const Common& common, const RelationScore& score) {
   }
   table.add_rule();
   add("all", clear_sum, near_sum);
-  say(common, "\nRelations between planes that were found:");
+  say(common,
+      "\nRelations between planes that were found (border: truth within a fifth of the limit):");
   say(common, table.to_text({terminal_width(stdout), wants_color(stdout), 0}));
 }
 
