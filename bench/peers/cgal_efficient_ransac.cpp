@@ -15,10 +15,12 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
-using PointWithNormal = std::pair<Point, Kernel::Vector_3>;
-using PointMap = CGAL::First_of_pair_property_map<PointWithNormal>;
-using NormalMap = CGAL::Second_of_pair_property_map<PointWithNormal>;
-using Cloud = std::vector<PointWithNormal>;
+// Point, normal, place in the input: the library reorders what it is given, and its indices are of
+// the new order.
+using Item = std::tuple<Point, Kernel::Vector_3, std::size_t>;
+using PointMap = CGAL::Nth_of_tuple_property_map<0, Item>;
+using NormalMap = CGAL::Nth_of_tuple_property_map<1, Item>;
+using Cloud = std::vector<Item>;
 using Traits = CGAL::Shape_detection::Efficient_RANSAC_traits<Kernel, Cloud, PointMap, NormalMap>;
 using Ransac = CGAL::Shape_detection::Efficient_RANSAC<Traits>;
 using PlaneShape = CGAL::Shape_detection::Plane<Traits>;
@@ -29,7 +31,7 @@ Labels cgal_efficient_ransac(const Points& points, const PeerOptions& options) {
   Cloud cloud;
   cloud.reserve(points.size());
   for (const auto& p : points)
-    cloud.emplace_back(Point(p[0], p[1], p[2]), Kernel::Vector_3(0, 0, 1));
+    cloud.emplace_back(Point(p[0], p[1], p[2]), Kernel::Vector_3(0, 0, 1), cloud.size());
   CGAL::pca_estimate_normals<CGAL::Sequential_tag>(
       cloud, static_cast<unsigned>(options.neighbours),
       CGAL::parameters::point_map(PointMap()).normal_map(NormalMap()));
@@ -48,7 +50,7 @@ Labels cgal_efficient_ransac(const Points& points, const PeerOptions& options) {
   Labels labels(points.size(), -1);
   std::int32_t region = 0;
   for (const auto& shape : ransac.shapes()) {
-    for (const auto i : shape->indices_of_assigned_points()) labels[i] = region;
+    for (const auto i : shape->indices_of_assigned_points()) labels[std::get<2>(cloud[i])] = region;
     ++region;
   }
   return labels;

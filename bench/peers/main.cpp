@@ -59,7 +59,9 @@ Method ours(const std::string& method, bool told) {
 
 template <class Peer>
 Method theirs(const std::string& name, Peer peer) {
-  return {name, [peer](const PointCloud& cloud, const peers::PeerOptions& options) {
+  return {name, [peer](const PointCloud& cloud, peers::PeerOptions options) {
+            // A tolerance of zero finds nothing anywhere: 2 mm is what a sweep at no noise likes.
+            options.sigma = std::max(options.sigma, 0.002);
             return peer(positions(cloud), options);
           }};
 }
