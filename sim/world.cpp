@@ -4,58 +4,16 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <mutex>
 #include <tuple>
 
 #include "core/error.hpp"
 #include "sim/edge_guard.hpp"
 #include "sim/embree_compat.hpp"
-
-#if defined(__SSE__)
-#include <xmmintrin.h>
-#endif
+#include "sim/embree_device.hpp"
 
 namespace scanchor {
 namespace {
-
-/// Flush-to-zero and denormals-are-zero while it lives: Embree asks for both in every thread that
-/// traces, and the caller's mode comes back afterwards.
-class FlushDenormals {
- public:
-#if defined(__SSE__)
-  FlushDenormals() : saved_(_mm_getcsr()) { _mm_setcsr(saved_ | 0x8040U); }
-  ~FlushDenormals() { _mm_setcsr(saved_); }
-
- private:
-  unsigned int saved_;
-#else
-  FlushDenormals() {}
-  ~FlushDenormals() {}
-
- public:
-#endif
-  FlushDenormals(const FlushDenormals&) = delete;
-  FlushDenormals& operator=(const FlushDenormals&) = delete;
-};
-
-/// One Embree device an instruction set, kept for the life of the program: making one costs more
-/// than building a room.
-RTCDevice device(const std::string& isa) {
-  static std::mutex mutex;
-  static auto& devices = *new std::map<std::string, RTCDevice>;
-  const std::lock_guard lock(mutex);
-  auto [place, fresh] = devices.try_emplace(isa, nullptr);
-  if (fresh) {
-    const std::string config = isa.empty() ? "" : "isa=" + isa;
-    place->second = rtcNewDevice(config.empty() ? nullptr : config.c_str());
-  }
-  if (place->second == nullptr) {
-    fail_usage("Embree cannot start with instruction set '" + isa + "'",
-               "known are: sse2, sse4.2, avx, avx2, avx512");
-  }
-  return place->second;
-}
 
 template <int width>
 struct Packet;
@@ -71,8 +29,6 @@ template <>
 struct Packet<16> {
   using Type = RTCRayHit16;
 };
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// Whether all corners of a triangle lie in a plane, to a tenth of a micrometre.
 bool lies_in(const TrianglePlane& plane, const Eigen::Vector3d* corners) {
@@ -276,7 +232,7 @@ void World::Impl::trace_packets(const RayColumns& rays, std::uint32_t* triangle,
       for (int i = n; i < width; ++i) valid[i] = 0;
     }
     for (int i = 0; i < width; ++i) {
-      packet.ray.tfar[i] = infinity;
+      packet.ray.tfar[i] = std::numeric_limits<float>::infinity();
       packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
       packet.hit.primID[i] = RTC_INVALID_GEOMETRY_ID;
     }
@@ -312,7 +268,7 @@ void World::Impl::trace_single(const RayColumns& rays, std::uint32_t* triangle, 
     one.ray.dir_y = ray_component(rays.direction_y[k]);
     one.ray.dir_z = ray_component(rays.direction_z[k]);
     one.ray.tnear = tnear;
-    one.ray.tfar = infinity;
+    one.ray.tfar = std::numeric_limits<float>::infinity();
     one.ray.mask = 0xffffffffU;
     one.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     one.hit.primID = RTC_INVALID_GEOMETRY_ID;
