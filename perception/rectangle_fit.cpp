@@ -9,10 +9,12 @@
 namespace scanchor {
 namespace {
 
-constexpr int bins = 48;        // positions of a side that are tried at once
-constexpr int directions = 13;  // directions that are tried at once
-constexpr int rounds = 3;       // each looks closer at where the one before found weight
-constexpr double wrong = 0.01;  // share of samples that belong to the other side of the edge
+constexpr int bins = 48;              // positions of a side that are tried at once
+constexpr int directions = 13;        // directions that are tried at once
+constexpr int rounds = 3;             // each looks closer at where the one before found weight
+constexpr double wrong = 0.01;        // share of samples that belong to the other side of the edge
+constexpr double most_beyond = 0.08;  // of the area may lie beyond a side
+constexpr double hardly_anything = 0.01;  // of the area is given up where no side is seen
 
 using Histogram = std::array<double, bins>;
 
@@ -83,6 +85,37 @@ struct Side {
   bool censored = false;
 };
 
+/// [m2] of the outline that lies further out than a position along a direction (Green's theorem on
+/// the part of each edge beyond it).
+double area_beyond(const std::vector<OutlineEdge>& edges, const Eigen::Vector2d& normal,
+                   double position) {
+  const Eigen::Vector2d along(-normal.y(), normal.x());
+  double area = 0.0;
+  for (const OutlineEdge& e : edges) {
+    const double a = e.from.dot(normal) - position;
+    const double b = e.to.dot(normal) - position;
+    if (a <= 0.0 && b <= 0.0) continue;
+    const double t = (e.to - e.from).dot(along);
+    // Mean height of the edge above the line, over the share of it that is above.
+    const double share = a > 0.0 && b > 0.0 ? 1.0 : std::max(a, b) / std::abs(a - b);
+    area += t * share * 0.5 * (std::max(a, 0.0) + std::max(b, 0.0));
+  }
+  return std::max(0.0, area);
+}
+
+/// Position beyond which a share of the outline's area lies, between two positions.
+double position_of_share(const std::vector<OutlineEdge>& edges, const Eigen::Vector2d& normal,
+                         double inner, double outer, double share) {
+  const double wanted = share * area_beyond(edges, normal, inner);
+  double low = inner;
+  double high = outer;
+  for (int i = 0; i < 24; ++i) {
+    const double middle = 0.5 * (low + high);
+    (area_beyond(edges, normal, middle) > wanted ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
 /// Finds the first guess of a side: walking inwards from the outermost edge that faces this way
 /// until a tenth of the side is met.
 void guess_side(const std::vector<OutlineEdge>& edges, double direction, Side& side) {
@@ -94,12 +127,14 @@ void guess_side(const std::vector<OutlineEdge>& edges, double direction, Side& s
   };
   std::vector<Facing> facing;
   double outermost = -1e300;
+  double innermost = 1e300;
   side.low = 1e300;
   side.high = -1e300;
   for (const OutlineEdge& e : edges) {
     const Eigen::Vector2d d = e.to - e.from;
     const double length = d.norm();
     outermost = std::max(outermost, e.from.dot(normal));
+    innermost = std::min(innermost, e.from.dot(normal));
     side.low = std::min(side.low, e.from.dot(along));
     side.high = std::max(side.high, e.from.dot(along));
     const Eigen::Vector2d outward(d.y(), -d.x());
@@ -113,16 +148,21 @@ void guess_side(const std::vector<OutlineEdge>& edges, double direction, Side& s
   double met = 0.0;
   double met_real = 0.0;
   std::size_t at = facing.size();
-  for (std::size_t i = 0; i < facing.size(); ++i) {
+  // Edges of shadows within the outline face this way too. What has much of the area beyond it is
+  // no side of it: then the side is where hardly anything is left, wherever its edge is.
+  const double much = position_of_share(edges, normal, innermost, outermost, most_beyond);
+  for (std::size_t i = 0; i < facing.size() && facing[i].position >= much; ++i) {
     met += facing[i].length;
     if (facing[i].kind == EdgeKind::true_edge) met_real += facing[i].length;
-    at = i;
     // The corner that looks out of a shadow is short, but a true edge of three samples is no
     // accident.
-    if (met >= 0.1 * extent || met_real >= std::max(3.0 * facing[i].gap, 0.03 * extent)) break;
+    if (met >= 0.1 * extent || met_real >= std::max(3.0 * facing[i].gap, 0.03 * extent)) {
+      at = i;
+      break;
+    }
   }
   if (at == facing.size()) {
-    side.position = outermost;
+    side.position = position_of_share(edges, normal, innermost, outermost, hardly_anything);
     side.censored = true;
     return;
   }
