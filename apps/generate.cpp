@@ -47,11 +47,17 @@ int run(Arguments& arguments) {
   json["points_written"] = result.points_written;
   json["interrupted"] = result.interrupted;
   json["complete"] = result.complete;
+  json["rooms_made_anew"] = result.rooms_made_anew;
   json["problems"] = result.problems;
   answer(arguments.common, json);
   say(arguments.common, fmt::format("{}: {} scenes written, {} were there; {} scans with {} points",
                                     arguments.out, result.scenes_written, result.scenes_found,
                                     result.scans_written, result.points_written));
+  if (result.rooms_made_anew > 0) {
+    say(arguments.common,
+        fmt::format("  rooms that lacked something or did not come to rest, made anew: {}",
+                    result.rooms_made_anew));
+  }
   for (const auto& problem : result.problems) say(arguments.common, "  " + problem);
   if (result.interrupted) {
     throw Error(ExitCode::nothing_measured, "interrupted; the same command goes on from there");
