@@ -19,6 +19,20 @@ measure() {  # title, folder, arguments...
   printf '```\n'
 }
 
+# suite, ontology, title, arguments...: the table of all methods that this build has.
+compare() {
+  local suite=$1 ontology=$2 title=$3
+  shift 3
+  local methods=(--method default --method paper)
+  for peer in $peers; do methods+=(--method "$peer"); done
+  printf '\n## %s\n\n`scanchor score --suite %s --ontology %s %s %s`\n\n```\n' "$title" "$suite" "$ontology" "${methods[*]}" "$*"
+  "$scanchor" score --suite "$suite" --ontology "$ontology" "${methods[@]}" "$@" 2>/dev/null | sed '/^$/d'
+  printf '```\n'
+}
+
+# Peers are there where the command was built with -DSCANCHOR_PEERS=ON.
+peers=${PEERS:-}
+
 {
   cat <<EOF
 # Results
@@ -31,6 +45,21 @@ EOF
   measure "Default method, 1 cm range noise" default
   measure "Default method, 2 cm range noise" noisy --set lidar.range_sigma=0.02
   measure "The paper's method, the same descriptions, 1 cm" paper --set perceive.method=paper --set reason.mode=paper
+  cat <<EOF
+
+# Test parts of the suites
+
+All things of all classes together: precision, recall and F1 of things, panoptic quality, mean IoU of points, F1 of planes, expected
+calibration error of the labels, and time of a scan on a machine that did other things as well (compare within one table). Rates of the
+descriptions were counted on other rooms ([semantics](why/semantics.md#what-is-counted)).
+EOF
+  compare quick office "Suite quick, 1 cm"
+  (peers= compare office office "Suite office, 1 cm")
+  (peers= compare home home "Suite home, 1 cm")
+  (peers= compare storage storage "Suite storage, 1 cm")
+  for sigma in 0 0.005 0.02 0.04; do
+    compare quick office "Suite quick, range noise $sigma m" --set lidar.range_sigma=$sigma
+  done
   measure "The paper's method and the paper's descriptions, 1 cm" verbatim --set perceive.method=paper --set reason.mode=paper --ontology paper
 } >docs/results.md
 printf 'docs/results.md\n'
