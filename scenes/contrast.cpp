@@ -14,8 +14,6 @@
 namespace scanchor {
 namespace {
 
-double to_mm(double v) { return std::floor(v * 1000.0 + 0.5) / 1000.0; }
-
 Instance board(Scene& scene, const char* class_name, const Eigen::Vector3d& size,
                const std::string& material) {
   Instance instance;

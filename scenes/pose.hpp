@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <cmath>
 
 #include "core/math.hpp"
 
@@ -21,6 +22,9 @@ inline Eigen::Matrix3d rotation_about(int axis, double angle) {
   rotation(j, i) = sc.sin;
   return rotation;
 }
+
+/// [m] rounded to whole millimetres, as rooms are laid out.
+inline double to_mm(double v) { return std::floor(v * 1000.0 + 0.5) / 1000.0; }
 
 /// Pose at a place, turned by yaw [rad] about z.
 inline Eigen::Isometry3d pose_at(const Eigen::Vector3d& place, double yaw = 0.0) {

@@ -6,11 +6,6 @@
 #include "scenes/pose.hpp"
 
 namespace scanchor {
-namespace {
-
-double to_mm(double v) { return std::floor(v * 1000.0 + 0.5) / 1000.0; }
-
-}  // namespace
 
 std::string one_of(SequentialRandom& random, const std::vector<std::string>& words) {
   return words[random.below(static_cast<std::uint32_t>(words.size()))];

@@ -18,8 +18,6 @@ constexpr double search_radius = 2.0;   // [m] from the wished place
 constexpr int cells_between = 3;        // places that are tried lie 15 cm apart
 constexpr double scanner_radius = 0.3;  // [m] with its stand
 
-double to_mm(double v) { return std::floor(v * 1000.0 + 0.5) / 1000.0; }
-
 /// Distance along a ray at which it enters a box [m]; infinite: it does not.
 double entry(const OrientedBox& box, const Eigen::Vector3d& from, const Eigen::Vector3d& ray) {
   const Eigen::Vector3d p = box.axes.transpose() * (from - box.center);
