@@ -82,6 +82,35 @@ class Truth {
   std::vector<int> of_item;
 };
 
+/// One item with the classes it may be taken for.
+struct Example {
+  std::vector<double> scores;  // log likelihood ratios, without prior and temperature
+  std::vector<int> class_of;
+  int truth;
+};
+
+/// Probabilities of an example's classes, in their order, and of none of them.
+struct Shares {
+  std::vector<double> of_class;
+  double of_none;
+};
+
+Shares shares_of(const Example& example, const std::vector<double>& log_prior, double log_none,
+                 double temperature) {
+  std::vector<double> s(example.scores.size());
+  double top = log_none;
+  for (std::size_t k = 0; k < s.size(); ++k) {
+    s[k] =
+        log_prior[static_cast<std::size_t>(example.class_of[k])] + temperature * example.scores[k];
+    top = std::max(top, s[k]);
+  }
+  const double none = std::exp(log_none - top);
+  double all = none;
+  for (double& share : s) all += share = std::exp(share - top);
+  for (double& share : s) share /= all;
+  return {std::move(s), none / all};
+}
+
 }  // namespace
 
 Background fit_backgrounds(const Ontology& ontology, const std::vector<TrainingScene>& scenes,
@@ -90,19 +119,14 @@ Background fit_backgrounds(const Ontology& ontology, const std::vector<TrainingS
   const std::size_t classes = ontology.classes.size();
   Ontology current = ontology;
   Background background;
-  // Beliefs in targets depend on the rates and the rates on the beliefs: two rounds settle them to
-  // the second digit.
+  // Beliefs in targets depend on the rates and the rates on the beliefs: three rounds settle them
+  // to the second digit.
   for (int round = 0; round < 3; ++round) {
     std::vector<std::vector<ClauseCount>> counts(classes);
     for (std::size_t c = 0; c < classes; ++c) counts[c].resize(ontology.classes[c].clauses.size());
     std::vector<double> members(classes, 0.0);
     double total = 0.0;
     double unknown = 0.0;
-    struct Example {
-      std::vector<double> scores;  // log likelihood ratios, without prior and temperature
-      std::vector<int> class_of;
-      int truth;
-    };
     std::vector<Example> examples;
     for (std::size_t s = 0; s < scenes.size(); ++s) {
       const auto& scene = scenes[s];
@@ -162,24 +186,18 @@ Background fit_backgrounds(const Ontology& ontology, const std::vector<TrainingS
     }
     // Clauses of one class are not independent; one exponent for all likelihood ratios makes up for
     // it. It is the one with the smallest log loss, by golden section.
+    std::vector<double> offset(classes);
+    for (std::size_t c = 0; c < classes; ++c) offset[c] = std::log(background.priors[c].second);
+    const double none = std::log(background.unknown_prior);
     const auto loss = [&](double temperature) {
       double sum = 0.0;
       for (const auto& example : examples) {
-        const double none = std::log(background.unknown_prior);
-        double top = none;
-        std::vector<double> s(example.scores.size());
-        for (std::size_t k = 0; k < s.size(); ++k) {
-          s[k] = std::log(background.priors[static_cast<std::size_t>(example.class_of[k])].second) +
-                 temperature * example.scores[k];
-          top = std::max(top, s[k]);
+        const Shares shares = shares_of(example, offset, none, temperature);
+        double right = example.truth < 0 ? shares.of_none : 0.0;
+        for (std::size_t k = 0; k < shares.of_class.size(); ++k) {
+          if (example.class_of[k] == example.truth) right = shares.of_class[k];
         }
-        double all = std::exp(none - top);
-        double right = example.truth < 0 ? all : 0.0;
-        for (std::size_t k = 0; k < s.size(); ++k) {
-          all += std::exp(s[k] - top);
-          if (example.class_of[k] == example.truth) right = std::exp(s[k] - top);
-        }
-        sum -= std::log(std::max(right / all, 1e-3));
+        sum -= std::log(std::max(right, 1e-3));
       }
       return sum;
     };
@@ -195,26 +213,14 @@ Background fit_backgrounds(const Ontology& ontology, const std::vector<TrainingS
     // say nearly the same make some classes louder than others. So each class's prior is scaled
     // until it is expected as often among its candidates as it is there: the maximum of the
     // likelihood of the labels (logistic regression with one offset a class).
-    std::vector<double> offset(classes);
-    for (std::size_t c = 0; c < classes; ++c) offset[c] = std::log(background.priors[c].second);
-    const double none = std::log(background.unknown_prior);
     for (int step = 0; step < offset_steps; ++step) {
       std::vector<double> there(classes, 0.0);
       std::vector<double> expected(classes, 0.0);
       for (const auto& example : examples) {
-        const std::size_t number = example.scores.size();
-        double top = none;
-        std::vector<double> s(number);
-        for (std::size_t k = 0; k < number; ++k) {
-          s[k] = offset[static_cast<std::size_t>(example.class_of[k])] +
-                 background.temperature * example.scores[k];
-          top = std::max(top, s[k]);
-        }
-        double all = std::exp(none - top);
-        for (const double score : s) all += std::exp(score - top);
-        for (std::size_t k = 0; k < number; ++k) {
+        const Shares shares = shares_of(example, offset, none, background.temperature);
+        for (std::size_t k = 0; k < shares.of_class.size(); ++k) {
           const auto c = static_cast<std::size_t>(example.class_of[k]);
-          expected[c] += std::exp(s[k] - top) / all;
+          expected[c] += shares.of_class[k];
           if (example.class_of[k] == example.truth) there[c] += 1.0;
         }
       }

@@ -115,6 +115,13 @@ Evidence same_size(const Item& a, const Item& b) {
   return {value, ratio, sigma, "1"};
 }
 
+/// Share of the smaller footprint in the larger one, the same whichever is named first.
+double smaller_within(const Item& a, const Item& b) {
+  const bool first = a.footprint.area() <= b.footprint.area();
+  return first ? footprint_overlap(a.footprint, b.footprint)
+               : footprint_overlap(b.footprint, a.footprint);
+}
+
 Evidence aligned(const Item& a, const Item& b) {
   const double size = std::max(std::min(a.extension.value, b.extension.value), 1e-3);
   const double distance = (a.center - b.center).head<2>().norm() / size;
@@ -125,10 +132,7 @@ Evidence aligned(const Item& a, const Item& b) {
   const double hidden =
       std::max({a.area.hidden, b.area.hidden, a.extension.hidden, b.extension.hidden});
   if (hidden > 0.0 && value < 0.9) {
-    const bool first = a.footprint.area() <= b.footprint.area();
-    const double within = first ? footprint_overlap(a.footprint, b.footprint)
-                                : footprint_overlap(b.footprint, a.footprint);
-    value = std::max(value, 0.9 * lower_likelihood(within, 0.6, 0.1));
+    value = std::max(value, 0.9 * lower_likelihood(smaller_within(a, b), 0.6, 0.1));
   }
   // Stacked (S22): two things in one place are not one above the other.
   value *= lower_likelihood(std::abs(a.z - b.z), 0.05,
@@ -145,9 +149,7 @@ Evidence aligned(const Item& a, const Item& b) {
 /// short, so neither their middles nor their sizes have to agree: the smaller one lies within the
 /// footprint of the other.
 Evidence stacked(const Item& a, const Item& b) {
-  const bool first = a.footprint.area() <= b.footprint.area();
-  const double within = first ? footprint_overlap(a.footprint, b.footprint)
-                              : footprint_overlap(b.footprint, a.footprint);
+  const double within = smaller_within(a, b);
   const double apart = lower_likelihood(std::abs(a.z - b.z), 0.05,
                                         std::sqrt(sqr(a.z_sigma) + sqr(b.z_sigma) + sqr(0.01)));
   return {lower_likelihood(within, 0.6, 0.1) * apart, within, 0.0, "1"};
