@@ -5,7 +5,6 @@
 #include "perception/cell_tree.hpp"
 #include "perception/find_planes.hpp"
 #include "perception/noise.hpp"
-#include "perception/set_aside.hpp"
 
 namespace scanchor {
 namespace {
@@ -19,20 +18,12 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 Surfaces surfaces_of_regions(const PointCloud& cloud, const PerceiveOptions& options,
                              const PlaneFinder& finder) {
   Surfaces surfaces;
-  surfaces.plane_of_point.assign(cloud.size(), -1);
-  for (const auto& pose : cloud.sensor_poses)
-    surfaces.sensor_positions.push_back(pose.translation());
-  const UsablePoints usable = set_aside(cloud, options.body_radius);
-  surfaces.set_aside = usable.set_aside;
-  PlaneInput input;
-  input.cloud = canonical_cloud(cloud.points, usable.index);
-  input.spacing = median_spacing(input.cloud);
+  PlaneInput input = plane_input(cloud, options, surfaces);
   input.sigma = options.noise_sigma > 0.0
                     ? options.noise_sigma
                     : estimate_noise(input.cloud, cell_tree(input.cloud), input.spacing,
                                      surfaces.sensor_positions);
   surfaces.noise_sigma = input.sigma;
-  surfaces.point_spacing = input.spacing;
   const std::vector<std::int32_t> region_of_point = finder(cloud, input.sigma);
   // Equal points are one point of the canonical cloud.
   std::vector<std::int32_t> region_of(input.cloud.size());

@@ -84,27 +84,32 @@ void collect_surfaces(const PointCloud& cloud, const PlaneInput& input,
   }
 }
 
-Surfaces find_planes(const PointCloud& cloud, const PerceiveOptions& options) {
-  if (options.method != "default" && options.method != "paper") {
-    fail_usage("method \"" + options.method + "\" is neither \"default\" nor \"paper\"");
-  }
-  Surfaces surfaces;
+PlaneInput plane_input(const PointCloud& cloud, const PerceiveOptions& options,
+                       Surfaces& surfaces) {
   surfaces.plane_of_point.assign(cloud.size(), -1);
   for (const auto& pose : cloud.sensor_poses)
     surfaces.sensor_positions.push_back(pose.translation());
   const UsablePoints usable = set_aside(cloud, options.body_radius);
   surfaces.set_aside = usable.set_aside;
-
   PlaneInput input;
   input.cloud = canonical_cloud(cloud.points, usable.index);
   input.spacing = median_spacing(input.cloud);
+  surfaces.point_spacing = input.spacing;
+  return input;
+}
+
+Surfaces find_planes(const PointCloud& cloud, const PerceiveOptions& options) {
+  if (options.method != "default" && options.method != "paper") {
+    fail_usage("method \"" + options.method + "\" is neither \"default\" nor \"paper\"");
+  }
+  Surfaces surfaces;
+  PlaneInput input = plane_input(cloud, options, surfaces);
   const CellTree tree = cell_tree(input.cloud);
   const double least = least_noise(input.cloud, input.spacing);
   input.sigma = options.noise_sigma > 0.0
                     ? std::max(options.noise_sigma, least)
                     : estimate_noise(input.cloud, tree, input.spacing, surfaces.sensor_positions);
   surfaces.noise_sigma = options.noise_sigma > 0.0 ? options.noise_sigma : input.sigma;
-  surfaces.point_spacing = input.spacing;
 
   if (options.method == "paper") {
     collect_surfaces(cloud, input, paper_planes(input.cloud, input.sigma, options.paper), surfaces);

@@ -17,6 +17,11 @@ struct PlaneInput {
   double spacing = 0.0;  ///< [m] median distance to the nearest neighbour
 };
 
+/// Sets aside what is no return of a surface and makes the input of a plane finder, all but its
+/// sigma; writes what the surfaces know of the cloud by then: sensor positions, what was set aside,
+/// the spacing, and no plane for any point.
+PlaneInput plane_input(const PointCloud& cloud, const PerceiveOptions& options, Surfaces& surfaces);
+
 /// Regions of canonical points -> surfaces of the cloud, in their documented order; a region of
 /// fewer than 3 points is none.
 void collect_surfaces(const PointCloud& cloud, const PlaneInput& input,
