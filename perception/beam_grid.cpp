@@ -35,18 +35,20 @@ std::uint32_t cell_at(const Place& p, int side) {
 
 BeamGrid::BeamGrid(const CanonicalCloud& cloud, const Eigen::Vector3d& sensor) {
   constexpr int coarse_side = 48, finest = 1024;
+  constexpr std::size_t block = 16384, coarse_cells = 6 * coarse_side * coarse_side;
   constexpr double spacings_per_cell = 1.1;
   const std::size_t n = cloud.size();
   const Eigen::Vector3f at = sensor.cast<float>();
-  std::vector<Place> places(n);
-  parallel_blocks(n, 16384, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Eigen::Vector3f d = cloud.point(i) - at;
-      places[i] = d.squaredNorm() > 0.0F ? place_of(d) : Place{0.0F, 0.0F, 0};
-    }
+  const auto place = [&](std::size_t i) {
+    const Eigen::Vector3f d = cloud.point(i) - at;
+    return d.squaredNorm() > 0.0F ? place_of(d) : Place{0.0F, 0.0F, 0};
+  };
+  std::vector<std::uint32_t> coarse(coarse_cells, 0);
+  cell_of_point_.resize(n);
+  parallel_blocks(n, block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) cell_of_point_[i] = cell_at(place(i), coarse_side);
   });
-  std::vector<std::uint32_t> coarse(6 * coarse_side * coarse_side, 0);
-  for (const auto& place : places) ++coarse[cell_at(place, coarse_side)];
+  for (const auto cell : cell_of_point_) ++coarse[cell];
   std::sort(coarse.begin(), coarse.end());
   std::size_t below = 0;
   std::uint32_t median = 1;
@@ -58,17 +60,20 @@ BeamGrid::BeamGrid(const CanonicalCloud& cloud, const Eigen::Vector3d& sensor) {
   side_ = std::clamp(
       static_cast<int>(coarse_side * std::sqrt(static_cast<double>(median)) / spacings_per_cell), 4,
       finest);
-  cell_of_point_.resize(n);
+  one_over_side_ = (std::uint64_t{1} << 40) / static_cast<std::uint64_t>(side_) + 1;
+  parallel_blocks(n, block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) cell_of_point_[i] = cell_at(place(i), side_);
+  });
+  // A counting sort: `start_` is where the next point of a cell goes, and in the end where the next
+  // cell begins.
   start_.assign(6 * static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_) + 1, 0);
-  for (std::size_t i = 0; i < n; ++i) {
-    cell_of_point_[i] = cell_at(places[i], side_);
-    ++start_[cell_of_point_[i] + 1];
-  }
-  std::partial_sum(start_.begin(), start_.end(), start_.begin());
+  for (const auto cell : cell_of_point_) ++start_[cell];
+  std::exclusive_scan(start_.begin(), start_.end(), start_.begin(), 0U);
   order_.resize(n);
-  std::vector<std::uint32_t> fill(start_.begin(), start_.end() - 1);
   for (std::size_t i = 0; i < n; ++i)
-    order_[fill[cell_of_point_[i]]++] = static_cast<std::uint32_t>(i);
+    order_[start_[cell_of_point_[i]]++] = static_cast<std::uint32_t>(i);
+  std::move_backward(start_.begin(), start_.end() - 1, start_.end());
+  start_[0] = 0;
 }
 
 std::uint32_t BeamGrid::beyond_face(int face, int x, int y) const {

@@ -29,23 +29,35 @@ class BeamGrid {
       std::uint32_t cell) const {
     std::array<std::uint32_t, (2 * Reach + 1) * (2 * Reach + 1)> cells;
     const auto side = static_cast<std::uint32_t>(side_);
-    const int x = static_cast<int>(cell % side), y = static_cast<int>(cell / side % side);
+    const std::uint32_t row = over_side(cell), face = over_side(row);
+    const int x = static_cast<int>(cell - row * side), y = static_cast<int>(row - face * side);
     const bool inside = x >= Reach && y >= Reach && x + Reach < side_ && y + Reach < side_;
     std::size_t k = 0;
+    if (inside) {
+      for (int dy = -Reach; dy <= Reach; ++dy) {
+        for (int dx = -Reach; dx <= Reach; ++dx)
+          cells[k++] = cell + static_cast<std::uint32_t>(dy * side_ + dx);
+      }
+      return cells;
+    }
     for (int dy = -Reach; dy <= Reach; ++dy) {
       for (int dx = -Reach; dx <= Reach; ++dx) {
-        const bool on_face =
-            inside || (x + dx >= 0 && y + dy >= 0 && x + dx < side_ && y + dy < side_);
+        const bool on_face = x + dx >= 0 && y + dy >= 0 && x + dx < side_ && y + dy < side_;
         cells[k++] = on_face ? cell + static_cast<std::uint32_t>(dy * side_ + dx)
-                             : beyond_face(static_cast<int>(cell / side / side), x + dx, y + dy);
+                             : beyond_face(static_cast<int>(face), x + dx, y + dy);
       }
     }
     return cells;
   }
 
  private:
+  // A division by the side: exact, since v * side stays below 2^40.
+  [[nodiscard]] std::uint32_t over_side(std::uint32_t v) const {
+    return static_cast<std::uint32_t>(v * one_over_side_ >> 40);
+  }
   [[nodiscard]] std::uint32_t beyond_face(int face, int x, int y) const;
   int side_ = 1;
+  std::uint64_t one_over_side_ = 0;  // times 2^40, rounded up
   std::vector<std::uint32_t> cell_of_point_, start_, order_;
 };
 

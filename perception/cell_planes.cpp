@@ -128,6 +128,18 @@ GrownPlane grown_plane(const Moments& moments, const BeamNoise& noise) {
   return grown;
 }
 
+PlaneMembers::PlaneMembers(const PlaneLabels& labels) : start_(labels.planes.size() + 1, 0) {
+  for (const auto label : labels.of_point) {
+    if (label >= 0) ++start_[static_cast<std::size_t>(label) + 1];
+  }
+  std::partial_sum(start_.begin(), start_.end(), start_.begin());
+  points_.resize(start_.back());
+  std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
+  for (std::uint32_t i = 0; i < labels.of_point.size(); ++i) {
+    if (labels.of_point[i] >= 0) points_[next[static_cast<std::size_t>(labels.of_point[i])]++] = i;
+  }
+}
+
 PlaneLabels cell_planes(const CanonicalCloud& cloud, const CellTree& tree, const BeamNoise& noise,
                         std::vector<std::int32_t>& region_of_cell) {
   PlaneLabels labels;

@@ -4,6 +4,7 @@
 // looked at one by one.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "perception/beam_noise.hpp"
@@ -51,6 +52,18 @@ struct PlaneReach {
 struct PlaneLabels {
   std::vector<std::int32_t> of_point;
   std::vector<GrownPlane> planes;
+};
+
+/// The points of each plane, rising.
+class PlaneMembers {
+ public:
+  explicit PlaneMembers(const PlaneLabels& labels);
+  [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t plane) const {
+    return {points_.data() + start_[plane], points_.data() + start_[plane + 1]};
+  }
+
+ private:
+  std::vector<std::uint32_t> start_, points_;
 };
 
 /// Finds flat cells, joins neighbours that continue each other's plane, and labels their points

@@ -14,7 +14,7 @@ constexpr double enough = 1000;  // points that decide; of larger planes a sampl
 class Footprint {
  public:
   Footprint(const CanonicalCloud& cloud, const GrownPlane& grown,
-            const std::vector<std::uint32_t>& members)
+            std::span<const std::uint32_t> members)
       : u_(grown.plane.axes.col(2).cast<float>()), v_(grown.plane.axes.col(1).cast<float>()) {
     float high_u = -3e38F, high_v = -3e38F;
     for (const auto p : members) {
@@ -87,11 +87,8 @@ double log_chance(double inside, double total, double share) {
 
 void drop_chance_planes(const CanonicalCloud& cloud, const CellTree& tree, PlaneLabels& labels) {
   if (tree.cells.empty()) return;
-  std::vector<std::vector<std::uint32_t>> members(labels.planes.size());
-  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
-    if (labels.of_point[i] >= 0) members[static_cast<std::size_t>(labels.of_point[i])].push_back(i);
-  }
-  std::vector<std::uint32_t> order(members.size()), open;
+  const PlaneMembers members(labels);
+  std::vector<std::uint32_t> order(labels.planes.size()), open;
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(),
                    [&](auto a, auto b) { return members[a].size() > members[b].size(); });
