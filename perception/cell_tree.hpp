@@ -2,6 +2,7 @@
 // An octree over a canonical cloud: each cell knows the moments of its points. Since the points are
 // in Morton order, a cell is a range of them, and a parent is the sum of its children.
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -31,8 +32,40 @@ struct CellTree {
   /// points.
   template <class Stop>
   [[nodiscard]] std::uint32_t find(std::uint64_t code, int level, const Stop& stop) const {
-    std::uint32_t at = 0;
+    return walk(0, code, level, stop, [](std::uint32_t) {});
+  }
+  /// The cells on the way to a place, root first.
+  struct Path {
+    std::uint64_t code = 0;
+    std::array<std::uint32_t, CanonicalCloud::levels + 1> cells{};
+    int length = 0;
+  };
+  /// As `find`; keeps the way.
+  template <class Stop>
+  std::uint32_t find(std::uint64_t code, int level, const Stop& stop, Path& path) const {
+    path.code = code;
+    path.length = 0;
+    return walk(0, code, level, stop, [&](std::uint32_t at) {
+      path.cells[static_cast<std::size_t>(path.length++)] = at;
+    });
+  }
+  /// As `find`, for a place near one that was found with the same level and the same `stop`: begins
+  /// where the ways part, not at the root.
+  template <class Stop>
+  [[nodiscard]] std::uint32_t find_near(const Path& path, std::uint64_t code, int level,
+                                        const Stop& stop) const {
+    const int differs = std::bit_width(code ^ path.code);  // bits, three a level
+    const int shared = CanonicalCloud::levels - (differs + 2) / 3;
+    const auto from = path.cells[static_cast<std::size_t>(std::min(shared, path.length - 1))];
+    return walk(from, code, level, stop, [](std::uint32_t) {});
+  }
+
+ private:
+  template <class Stop, class Passed>
+  std::uint32_t walk(std::uint32_t at, std::uint64_t code, int level, const Stop& stop,
+                     const Passed& passed) const {
     for (;;) {
+      passed(at);
       const Cell& cell = cells[at];
       if (cell.children == 0 || cell.level >= level || stop(at)) return at;
       const auto octant =
@@ -41,6 +74,8 @@ struct CellTree {
       at = cell.child + count_bits[cell.octants & ((1U << octant) - 1U)];
     }
   }
+
+ public:
   static constexpr std::uint32_t none = 0xFFFFFFFF;
   /// Bits set in a byte: the base instruction set has none for it, and a call costs more than the
   /// rest of `find`.

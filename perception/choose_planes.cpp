@@ -8,17 +8,36 @@
 namespace scanchor {
 namespace {
 
-// What a plane means to a point, in the type of the points.
 struct Candidate {
   std::int32_t id;
   float votes;
-  PlaneReach reach;
-  float cost;
+};
+
+// Points by label within each leaf: neighbours ask for these rather than for the points.
+struct LeafVotes {
+  std::vector<std::uint32_t> start;  // of leaf i: votes[start[i] .. start[i + 1])
+  std::vector<Candidate> votes;
+
+  void count(const PointPool& pool, const std::vector<std::int32_t>& label) {
+    start.assign(1, 0);
+    votes.clear();
+    for (std::uint32_t l = 0; l < pool.leaf.size(); ++l) {
+      const Cell& cell = pool.cell(l);
+      for (auto p = cell.begin; p < cell.end; ++p) {
+        if (label[p] < 0) continue;
+        std::size_t at = start.back();
+        while (at < votes.size() && votes[at].id != label[p]) ++at;
+        if (at == votes.size()) votes.push_back({label[p], 0.0F});
+        votes[at].votes += 1.0F;
+      }
+      start.push_back(static_cast<std::uint32_t>(votes.size()));
+    }
+  }
 };
 
 class Ballot {
  public:
-  explicit Ballot(const std::vector<GrownPlane>& planes) : planes_(planes) {}
+  explicit Ballot(const std::vector<PlaneReach>& reach) : reach_(reach) {}
   void clear() { candidates_.clear(); }
   void vote(std::int32_t id, float weight) {
     for (auto& candidate : candidates_) {
@@ -27,30 +46,39 @@ class Ballot {
         return;
       }
     }
-    candidates_.push_back({id, weight, PlaneReach(planes_[static_cast<std::size_t>(id)]), 0.0F});
+    candidates_.push_back({id, weight});
   }
   void count() {
-    for (auto& candidate : candidates_) candidate.cost = -std::log(candidate.votes);
+    cost_.clear();
+    if (candidates_.size() < 2) return;
+    for (const auto& candidate : candidates_) cost_.push_back(-std::log(candidate.votes));
   }
   [[nodiscard]] std::int32_t best(float x, float y, float z, float inverse_range) const {
+    if (candidates_.size() == 1) {  // mostly: nothing to weigh
+      const auto& reach = reach_[static_cast<std::size_t>(candidates_[0].id)];
+      return reach.distance(x, y, z) / reach.scatter(inverse_range) > 3.0F ? -1 : candidates_[0].id;
+    }
     std::int32_t chosen = -1;
     float least = 3e38F;
-    for (const auto& k : candidates_) {
-      const float s = k.reach.scatter(inverse_range);
-      const float r = k.reach.distance(x, y, z) / s;
+    for (std::size_t k = 0; k < candidates_.size(); ++k) {
+      const auto id = candidates_[k].id;
+      const auto& reach = reach_[static_cast<std::size_t>(id)];
+      const float s = reach.scatter(inverse_range);
+      const float r = reach.distance(x, y, z) / s;
       if (r > 3.0F) continue;
-      const float cost = 0.5F * r * r + std::log(s) + k.cost;
-      if (cost < least || (cost == least && k.id < chosen)) {
+      const float cost = 0.5F * r * r + std::log(s) + cost_[k];
+      if (cost < least || (cost == least && id < chosen)) {
         least = cost;
-        chosen = k.id;
+        chosen = id;
       }
     }
     return chosen;
   }
 
  private:
-  const std::vector<GrownPlane>& planes_;
+  const std::vector<PlaneReach>& reach_;
   std::vector<Candidate> candidates_;
+  std::vector<float> cost_;
 };
 
 }  // namespace
@@ -61,16 +89,17 @@ void choose_planes(const PointPool& pool, const BeamNoise& noise, const std::vec
       4.0F;  // a flat cell next door speaks for as many points as a leaf holds
   const auto& c = pool.cloud;
   std::vector<std::int32_t> next = label;
+  LeafVotes votes;
   for (int round = 0; round < rounds; ++round) {
+    votes.count(pool, label);
+    const std::vector<PlaneReach> reach(planes.begin(), planes.end());
     parallel_blocks(pool.leaf.size(), 512, [&](std::size_t begin, std::size_t end) {
-      Ballot ballot(planes);
+      Ballot ballot(reach);
       for (auto l = static_cast<std::uint32_t>(begin); l < end; ++l) {
         ballot.clear();
         const auto ask = [&](std::uint32_t leaf) {
-          const Cell& cell = pool.cell(leaf);
-          for (auto p = cell.begin; p < cell.end; ++p) {
-            if (label[p] >= 0) ballot.vote(label[p], 1.0F);
-          }
+          for (auto k = votes.start[leaf]; k < votes.start[leaf + 1]; ++k)
+            ballot.vote(votes.votes[k].id, votes.votes[k].votes);
         };
         ask(l);
         for (auto k = pool.start[l]; k < pool.start[l + 1]; ++k) ask(pool.to[k]);

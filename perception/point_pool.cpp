@@ -51,24 +51,28 @@ PointPool point_pool(const CanonicalCloud& cloud, const CellTree& tree, const Pl
   std::vector<std::uint32_t> coarse;
   const auto never = [](std::uint32_t) { return false; };
   const auto taken = [&](std::uint32_t at) { return region_of_cell[at] >= 0; };
+  CellTree::Path path_in_tree, path_in_pool;
   pool.region_start.assign(1, 0);
   for (std::uint32_t l = 0; l < pool.leaf.size(); ++l) {
     const Cell& cell = pool.cell(l);
     coarse.clear();
     const auto touch = [&](std::uint64_t code) {
-      const auto flat = tree.find(code, cell.level, taken);
+      const auto flat = tree.find_near(path_in_tree, code, cell.level, taken);
       if (flat == CellTree::none || region_of_cell[flat] < 0) return;
       const auto known = pool.regions.begin() + pool.region_start.back();
       if (std::find(known, pool.regions.end(), region_of_cell[flat]) == pool.regions.end()) {
         pool.regions.push_back(region_of_cell[flat]);
       }
     };
-    touch(pool.cloud.code[cell.begin]);
+    const auto here = pool.cloud.code[cell.begin];
+    tree.find(here, cell.level, taken, path_in_tree);
+    pool.tree.find(here, cell.level, never, path_in_pool);
+    touch(here);
     const int count = pool.tree.neighbour_codes(pool.cloud, pool.leaf[l], codes);
     for (int k = 0; k < count; ++k) {
       const auto code = codes[static_cast<std::size_t>(k)];
       touch(code);
-      const auto at = pool.tree.find(code, cell.level, never);
+      const auto at = pool.tree.find_near(path_in_pool, code, cell.level, never);
       if (at == CellTree::none || pool.tree.cells[at].children != 0)
         continue;  // smaller ones link to this one
       if (pool.tree.cells[at].level == cell.level) {
