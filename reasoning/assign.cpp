@@ -245,7 +245,13 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
   for (const auto g : groups) {
     const bool free = std::all_of(entities[g].members.begin(), entities[g].members.end(),
                                   [&](std::int32_t m) { return entities[m].whole < 0; });
-    if (!free) {
+    // What speaks for its members being something else by themselves speaks against the group.
+    double alone = 0.0;
+    for (const auto m : entities[g].members) {
+      if (find(entities[m].label) >= 0 && !related(ontology, entities[m].label, entities[g].label))
+        alone += entities[m].probability / static_cast<double>(entities[g].members.size());
+    }
+    if (!free || alone > entities[g].probability) {
       entities[g].label = "unknown";
       continue;
     }

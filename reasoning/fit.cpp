@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/error.hpp"
 #include "core/math.hpp"
+#include "reasoning/fit_weights.hpp"
 #include "reasoning/item.hpp"
 #include "reasoning/matcher.hpp"
 #include "reasoning/up.hpp"
@@ -23,8 +25,11 @@ struct Count {
   }
 };
 
-constexpr int offset_steps = 200;
-constexpr double offset_strength = 1.0;  // examples that hold a prior where it was counted
+// A class or a clause with few examples stays near what is usual: its share of all surfaces, and
+// half of what a clause would say if it were independent of its neighbours.
+constexpr double offset_strength = 0.1;
+constexpr double weight_strength = 10.0;
+constexpr double usual_weight = 0.5;
 
 struct ClauseCount {
   Count hit, background;
@@ -49,16 +54,13 @@ class Truth {
  public:
   Truth(const Ontology& ontology, const Matcher& matcher, const TrainingScene& scene) {
     for (const auto& item : matcher.items()) {
-      const std::int32_t first = item.group ? item.members.front() : item.id;
-      const std::string& name = scene.classes[static_cast<std::size_t>(first)];
       int best = -1;
       if (item.group) {
+        const int whole = ontology.find(most_of(matcher, item, scene));
+        if (whole >= 0 && matcher.is_group_class(whole)) best = whole;
+      } else if (const std::string& name = scene.classes[static_cast<std::size_t>(item.id)];
+                 !name.empty() && ontology.find(name) >= 0) {
         const int whole = ontology.find(name);
-        const bool same = std::all_of(
-            item.members.begin(), item.members.end(),
-            [&](std::int32_t m) { return scene.classes[static_cast<std::size_t>(m)] == name; });
-        if (same && whole >= 0 && matcher.is_group_class(whole)) best = whole;
-      } else if (const int whole = name.empty() ? -1 : ontology.find(name); whole >= 0) {
         double most = -1.0;
         for (std::size_t c = 0; c < ontology.classes.size(); ++c) {
           const bool own = static_cast<int>(c) == whole;
@@ -80,35 +82,131 @@ class Truth {
     }
   }
   std::vector<int> of_item;
-};
 
-/// One item with the classes it may be taken for.
-struct Example {
-  std::vector<double> scores;  // log likelihood ratios, without prior and temperature
-  std::vector<int> class_of;
-  int truth;
-};
-
-/// Probabilities of an example's classes, in their order, and of none of them.
-struct Shares {
-  std::vector<double> of_class;
-  double of_none;
-};
-
-Shares shares_of(const Example& example, const std::vector<double>& log_prior, double log_none,
-                 double temperature) {
-  std::vector<double> s(example.scores.size());
-  double top = log_none;
-  for (std::size_t k = 0; k < s.size(); ++k) {
-    s[k] =
-        log_prior[static_cast<std::size_t>(example.class_of[k])] + temperature * example.scores[k];
-    top = std::max(top, s[k]);
+ private:
+  /// A book among the boards makes no other thing of a shelf: the name of more than half of the
+  /// members' area; "" where there is none.
+  static std::string most_of(const Matcher& matcher, const Item& group,
+                             const TrainingScene& scene) {
+    std::map<std::string, double> area;
+    double all = 0.0;
+    for (const auto m : group.members) {
+      const double own = matcher.items()[static_cast<std::size_t>(m)].area.value;
+      area[scene.classes[static_cast<std::size_t>(m)]] += own;
+      all += own;
+    }
+    for (const auto& [name, own] : area) {
+      if (2.0 * own > all) return name;
+    }
+    return "";
   }
-  const double none = std::exp(log_none - top);
-  double all = none;
-  for (double& share : s) all += share = std::exp(share - top);
-  for (double& share : s) share /= all;
-  return {std::move(s), none / all};
+};
+
+/// Where the clauses of the classes stand among the weights. Those of a parent are its own: what is
+/// counted for it holds for its kinds.
+class Parameters {
+ public:
+  explicit Parameters(const Ontology& ontology) {
+    for (const auto& description : ontology.classes) {
+      first_.push_back(count_);
+      count_ += static_cast<std::int32_t>(description.clauses.size());
+    }
+    for (std::size_t c = 0; c < ontology.classes.size(); ++c) {
+      std::vector<std::size_t> line;
+      for (int k = static_cast<int>(c); k >= 0 && line.size() <= ontology.classes.size();) {
+        line.push_back(static_cast<std::size_t>(k));
+        const auto& parent = ontology.classes[static_cast<std::size_t>(k)].parent;
+        k = parent.empty() ? -1 : ontology.find(parent);
+      }
+      auto& own = of_class_.emplace_back();  // in the order of all_clauses
+      for (auto k = line.rbegin(); k != line.rend(); ++k) {
+        for (std::size_t i = 0; i < ontology.classes[*k].clauses.size(); ++i)
+          own.push_back(of(*k, i));
+      }
+    }
+  }
+  [[nodiscard]] std::int32_t count() const { return count_; }
+  [[nodiscard]] std::int32_t of(std::size_t c, std::size_t clause) const {
+    return first_[c] + static_cast<std::int32_t>(clause);
+  }
+  [[nodiscard]] const std::vector<std::int32_t>& of_class(std::size_t c) const {
+    return of_class_[c];
+  }
+
+ private:
+  std::vector<std::int32_t> first_;
+  std::vector<std::vector<std::int32_t>> of_class_;
+  std::int32_t count_ = 0;
+};
+
+/// What one round over the training scenes counts.
+struct Counts {
+  std::vector<std::vector<ClauseCount>> clauses;
+  std::vector<double> members;
+  double total = 0.0;
+  double unknown = 0.0;
+};
+
+void count_item(const Ontology& ontology, const Matcher& matcher, const Item& item, int is,
+                Counts& counts) {
+  counts.total += 1.0;
+  (is >= 0 ? counts.members[static_cast<std::size_t>(is)] : counts.unknown) += 1.0;
+  for (std::size_t c = 0; c < ontology.classes.size(); ++c) {
+    const int index = static_cast<int>(c);
+    if (matcher.is_group_class(index) != item.group) continue;
+    const auto& own = ontology.classes[c].clauses;
+    const bool member = is == index;
+    const bool candidate = matcher.belief(index, item.id) > 0.0;
+    // Legs and edges of a desk are the desk's and meet nothing that is said of it. A class is
+    // taught by what may be taken for it: what passes its required clauses.
+    if (member && !candidate) continue;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      // Context is asked only of what passes the required clauses.
+      if (own[i].usually && !candidate) continue;
+      auto& count = member ? counts.clauses[c][i].hit : counts.clauses[c][i].background;
+      count.sum += matcher.evaluate(index, own[i], item.id).value;
+      count.number += 1.0;
+    }
+  }
+}
+
+Background rates_of(const Ontology& ontology, const Counts& counts) {
+  Background background;
+  background.unknown_prior = std::clamp((counts.unknown + 1.0) / (counts.total + 2.0), 0.01, 0.99);
+  for (std::size_t c = 0; c < ontology.classes.size(); ++c) {
+    background.priors.emplace_back(
+        ontology.classes[c].name(),
+        std::max(counts.members[c], 0.001 * counts.total) / std::max(counts.total, 1.0));
+    for (std::size_t i = 0; i < counts.clauses[c].size(); ++i) {
+      Clause clause = ontology.classes[c].clauses[i];
+      clause.hit_rate = clause.background = -1.0;
+      background.rates.push_back(
+          {ontology.classes[c].name(), clause_text(clause),
+           counts.clauses[c][i].hit.rate(default_hit_rate(clause), 10.0),
+           counts.clauses[c][i].background.rate(default_background(clause), 10.0), 1.0});
+    }
+  }
+  return background;
+}
+
+/// What the clauses of every candidate class say about an item, with the rates of `ontology`.
+WeighedExample weigh(const Ontology& ontology, const Parameters& parameters, const Matcher& matcher,
+                     const Item& item, int is) {
+  WeighedExample example;
+  example.truth = is;
+  for (std::size_t c = 0; c < ontology.classes.size(); ++c) {
+    const int index = static_cast<int>(c);
+    if (matcher.belief(index, item.id) <= 0.0) continue;
+    WeighedExample::Candidate candidate{static_cast<std::int32_t>(index), {}};
+    const auto& clauses = matcher.clauses(index);
+    for (std::size_t i = 0; i < clauses.size(); ++i) {
+      const double value = matcher.evaluate(index, clauses[i], item.id).value;
+      candidate.terms.push_back(
+          {parameters.of_class(c)[i], clauses[i].weight * evidence_of(clauses[i], value)});
+    }
+    example.candidates.push_back(std::move(candidate));
+  }
+  return example;
 }
 
 }  // namespace
@@ -116,124 +214,56 @@ Shares shares_of(const Example& example, const std::vector<double>& log_prior, d
 Background fit_backgrounds(const Ontology& ontology, const std::vector<TrainingScene>& scenes,
                            const ReasonOptions& options, const std::string& fitted_on) {
   if (scenes.empty()) fail_data("fit", "", "there is no training scene");
+  for (std::size_t s = 0; s < scenes.size(); ++s) {
+    if (scenes[s].classes.size() == scenes[s].surfaces.surfaces.size()) continue;
+    fail_data("fit", "scene " + std::to_string(s),
+              "has " + std::to_string(scenes[s].surfaces.surfaces.size()) + " surfaces and " +
+                  std::to_string(scenes[s].classes.size()) + " classes");
+  }
   const std::size_t classes = ontology.classes.size();
+  const Parameters parameters(ontology);
   Ontology current = ontology;
   Background background;
-  // Beliefs in targets depend on the rates and the rates on the beliefs: three rounds settle them
-  // to the second digit.
-  for (int round = 0; round < 3; ++round) {
-    std::vector<std::vector<ClauseCount>> counts(classes);
-    for (std::size_t c = 0; c < classes; ++c) counts[c].resize(ontology.classes[c].clauses.size());
-    std::vector<double> members(classes, 0.0);
-    double total = 0.0;
-    double unknown = 0.0;
-    std::vector<Example> examples;
-    for (std::size_t s = 0; s < scenes.size(); ++s) {
-      const auto& scene = scenes[s];
-      if (scene.classes.size() != scene.surfaces.surfaces.size()) {
-        fail_data("fit", "scene " + std::to_string(s),
-                  "has " + std::to_string(scene.surfaces.surfaces.size()) + " surfaces and " +
-                      std::to_string(scene.classes.size()) + " classes");
-      }
+  // Beliefs in targets depend on what was counted, and that on the beliefs: two rounds settle the
+  // rates to the second digit, two more the weights.
+  for (int round = 0; round < 4; ++round) {
+    const bool weighing = round >= 2;
+    Counts counts;
+    counts.members.assign(classes, 0.0);
+    for (const auto& description : ontology.classes)
+      counts.clauses.emplace_back(description.clauses.size());
+    std::vector<WeighedExample> examples;
+    for (const auto& scene : scenes) {
       const Matcher matcher = match(current, scene, options);
       const Truth truth(current, matcher, scene);
       for (const auto& item : matcher.items()) {
         const int is = truth.of_item[static_cast<std::size_t>(item.id)];
-        total += 1.0;
-        (is >= 0 ? members[static_cast<std::size_t>(is)] : unknown) += 1.0;
-        Example example;
-        example.truth = is;
-        for (std::size_t c = 0; c < classes; ++c) {
-          if (matcher.is_group_class(static_cast<int>(c)) != item.group) continue;
-          const auto& own = current.classes[c].clauses;
-          const bool member = is == static_cast<int>(c);
-          // Legs and edges of a desk are the desk's and meet nothing that is said of it. A class is
-          // taught by what may be taken for it: what passes its required clauses.
-          if (member && matcher.belief(static_cast<int>(c), item.id) <= 0.0) continue;
-          for (std::size_t i = 0; i < own.size(); ++i) {
-            const double value = matcher.evaluate(static_cast<int>(c), own[i], item.id).value;
-            auto& count = member ? counts[c][i].hit : counts[c][i].background;
-            count.sum += value;
-            count.number += 1.0;
-          }
-        }
-        for (std::size_t c = 0; c < classes; ++c) {
-          for (const auto& candidate : matcher.candidates(static_cast<int>(c))) {
-            if (candidate.item != item.id) continue;
-            example.scores.push_back(
-                (candidate.score - std::log(prior_of(current, static_cast<int>(c)))) /
-                current.temperature);
-            example.class_of.push_back(static_cast<int>(c));
-          }
-        }
-        examples.push_back(std::move(example));
+        count_item(current, matcher, item, is, counts);
+        if (weighing) examples.push_back(weigh(current, parameters, matcher, item, is));
       }
     }
-    background = Background{};
+    Background counted = rates_of(current, counts);
+    if (weighing) counted.rates = background.rates;  // those that were weighed
+    background = std::move(counted);
     background.fitted_on = fitted_on;
-    background.unknown_prior = std::clamp((unknown + 1.0) / (total + 2.0), 0.01, 0.99);
-    for (std::size_t c = 0; c < classes; ++c) {
-      background.priors.emplace_back(ontology.classes[c].name(),
-                                     std::max(members[c], 0.001 * total) / std::max(total, 1.0));
-      for (std::size_t i = 0; i < counts[c].size(); ++i) {
-        Clause clause = ontology.classes[c].clauses[i];
-        clause.hit_rate = clause.background = -1.0;
-        background.rates.push_back(
-            {ontology.classes[c].name(), clause_text(clause),
-             counts[c][i].hit.rate(default_hit_rate(clause), 10.0),
-             counts[c][i].background.rate(default_background(clause), 10.0)});
-      }
-    }
-    // Clauses of one class are not independent; one exponent for all likelihood ratios makes up for
-    // it. It is the one with the smallest log loss, by golden section.
-    std::vector<double> offset(classes);
-    for (std::size_t c = 0; c < classes; ++c) offset[c] = std::log(background.priors[c].second);
-    const double none = std::log(background.unknown_prior);
-    const auto loss = [&](double temperature) {
-      double sum = 0.0;
-      for (const auto& example : examples) {
-        const Shares shares = shares_of(example, offset, none, temperature);
-        double right = example.truth < 0 ? shares.of_none : 0.0;
-        for (std::size_t k = 0; k < shares.of_class.size(); ++k) {
-          if (example.class_of[k] == example.truth) right = shares.of_class[k];
-        }
-        sum -= std::log(std::max(right, 1e-3));
-      }
-      return sum;
-    };
-    double low = 0.2;
-    double high = 1.5;
-    for (int step = 0; step < 24; ++step) {
-      const double a = high - (high - low) * 0.6180339887;
-      const double b = low + (high - low) * 0.6180339887;
-      (loss(a) < loss(b) ? high : low) = loss(a) < loss(b) ? b : a;
-    }
-    background.temperature = 0.5 * (low + high);
-    // Priors are counted among all surfaces, but only candidates are ever weighed, and clauses that
-    // say nearly the same make some classes louder than others. So each class's prior is scaled
-    // until it is expected as often among its candidates as it is there: the maximum of the
-    // likelihood of the labels (logistic regression with one offset a class).
-    for (int step = 0; step < offset_steps; ++step) {
-      std::vector<double> there(classes, 0.0);
-      std::vector<double> expected(classes, 0.0);
-      for (const auto& example : examples) {
-        const Shares shares = shares_of(example, offset, none, background.temperature);
-        for (std::size_t k = 0; k < shares.of_class.size(); ++k) {
-          const auto c = static_cast<std::size_t>(example.class_of[k]);
-          expected[c] += shares.of_class[k];
-          if (example.class_of[k] == example.truth) there[c] += 1.0;
-        }
-      }
+    if (weighing) {
+      FittedWeights start;
+      const double none = std::log(background.unknown_prior);
+      for (const auto& [name, share] : background.priors)
+        start.offset.push_back(std::log(share) - none);
+      start.weight.assign(static_cast<std::size_t>(parameters.count()), usual_weight);
+      const FittedWeights fitted = fit_weights(examples, start, offset_strength, weight_strength);
+      // Only the ratios of the priors matter.
+      double sum = 1.0;
+      for (const double o : fitted.offset) sum += std::exp(o);
+      background.unknown_prior = 1.0 / sum;
+      std::size_t rate = 0;
       for (std::size_t c = 0; c < classes; ++c) {
-        offset[c] += std::log((there[c] + offset_strength) / (expected[c] + offset_strength));
+        background.priors[c].second = std::max(std::exp(fitted.offset[c]) / sum, 1e-9);
+        for (std::size_t i = 0; i < ontology.classes[c].clauses.size(); ++i)
+          background.rates[rate++].weight =
+              fitted.weight[static_cast<std::size_t>(parameters.of(c, i))];
       }
-    }
-    // Only their ratios matter.
-    double sum = std::exp(none);
-    for (const double o : offset) sum += std::exp(o);
-    background.unknown_prior = std::exp(none) / sum;
-    for (std::size_t c = 0; c < classes; ++c) {
-      background.priors[c].second = std::max(std::exp(offset[c]) / sum, 1e-9);
     }
     apply_background(current, background);
   }

@@ -102,6 +102,14 @@ double log_likelihood_ratio(double value, double hit_rate, double background) {
   return std::log(for_class / for_other);
 }
 
+double evidence_of(const Clause& clause, double value) {
+  // A group is there only because it was found, so its background is the rate of such finds
+  // among other things, and nothing is known of finds that failed (docs/why/semantics.md).
+  if (clause.kind == ClauseKind::group)
+    return std::log(value * hit_rate_of(clause) / background_of(clause));
+  return log_likelihood_ratio(value, hit_rate_of(clause), background_of(clause));
+}
+
 Matcher::Matcher(const Ontology& ontology, std::vector<Item> items, const Surrounding& around)
     : ontology_(ontology),
       items_(std::move(items)),
@@ -319,6 +327,18 @@ std::vector<std::int32_t> Matcher::find_groups(const Clause& clause) {
   }
   std::vector<std::int32_t> ids;
   for (auto& group : build_groups(items_, pool, clause, around_)) {
+    // Two classes that are made of the same parts, a shelf and a bookcase, compete for one thing.
+    const auto same = std::find_if(
+        items_.begin() + static_cast<std::ptrdiff_t>(surface_count_), items_.end(),
+        [&](const Item& item) {
+          return group_value_[static_cast<std::size_t>(item.id)] == group.probability &&
+                 std::is_permutation(item.members.begin(), item.members.end(),
+                                     group.members.begin(), group.members.end());
+        });
+    if (same != items_.end()) {
+      ids.push_back(same->id);
+      continue;
+    }
     Item item =
         make_group(items_, std::move(group.members), static_cast<std::int32_t>(items_.size()));
     ids.push_back(item.id);
@@ -362,13 +382,7 @@ void Matcher::evaluate_class(int class_index) {
           break;
         }
         candidate.fit *= value;
-        // A group is there only because it was found, so its background is the rate of such finds
-        // among other things, and nothing is known of finds that failed (docs/why/semantics.md).
-        const double ratio =
-            clause.kind == ClauseKind::group
-                ? std::log(value * hit_rate_of(clause) / background_of(clause))
-                : log_likelihood_ratio(value, hit_rate_of(clause), background_of(clause));
-        candidate.score += ontology_.temperature * clause.weight * ratio;
+        candidate.score += ontology_.temperature * weight_of(clause) * evidence_of(clause, value);
       }
       if (!possible) break;
     }
@@ -385,8 +399,7 @@ void Matcher::evaluate_class(int class_index) {
       if (clause.usually || clause.kind != ClauseKind::extremum ||
           clause.extremum != Extremum::largest)
         continue;
-      list[i].score += ontology_.temperature * clause.weight *
-                       log_likelihood_ratio(values[i], hit_rate_of(clause), background_of(clause));
+      list[i].score += ontology_.temperature * weight_of(clause) * evidence_of(clause, values[i]);
     }
     if (values[i] >= required_gate) kept.push_back(list[i]);
   }
@@ -412,8 +425,7 @@ void Matcher::evaluate_context(int class_index) {
     if (!clause.usually) continue;
     for (auto& candidate : candidates_[class_index]) {
       const double value = evaluate(class_index, clause, candidate.item).value;
-      candidate.score += ontology_.temperature * clause.weight *
-                         log_likelihood_ratio(value, hit_rate_of(clause), background_of(clause));
+      candidate.score += ontology_.temperature * weight_of(clause) * evidence_of(clause, value);
     }
   }
 }

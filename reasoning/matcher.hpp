@@ -40,6 +40,9 @@ inline constexpr double required_gate = 0.05;
 /// background beta.
 double log_likelihood_ratio(double value, double hit_rate, double background);
 
+/// The same with the rates of the clause, before its weight; groups count finds only.
+double evidence_of(const Clause& clause, double value);
+
 class Matcher {
  public:
   /// `items` are surfaces; groups are appended as they are found.

@@ -107,8 +107,9 @@ struct Clause {
   int count_high = std::numeric_limits<int>::max();  ///< group: at most so many
   std::vector<RelationTerm> pairwise;                ///< group: for each pair of members
   // Learned on training scenes (`scanchor fit`), negative: the documented default of the kind.
-  double hit_rate = -1.0;    ///< P(clause holds | class), alpha
-  double background = -1.0;  ///< P(clause holds | any other entity), beta
+  double hit_rate = -1.0;       ///< P(clause holds | class), alpha
+  double background = -1.0;     ///< P(clause holds | any other entity), beta
+  double counted_weight = 1.0;  ///< multiplies `weight`; below 1 where other clauses say the same
   SourcePlace place;
   // For the formatter:
   std::string written_target;              ///< of a group, in its plural
