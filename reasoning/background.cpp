@@ -19,6 +19,7 @@ void apply_background(Ontology& ontology, const Background& background) {
       if (clause_text(clause) != rate.clause) continue;
       clause.hit_rate = rate.hit_rate;
       clause.background = rate.background;
+      clause.counted_weight = rate.weight;
     }
   }
 }

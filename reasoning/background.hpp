@@ -17,6 +17,7 @@ struct ClauseRates {
   std::string clause;       ///< clause_text
   double hit_rate = 0.0;    ///< (0, 1) mean value of the clause over entities of the class
   double background = 0.0;  ///< (0, 1) mean value over all others
+  double weight = 1.0;      ///< [0, ...) factor of the clause's own weight
 };
 
 struct Background {
@@ -35,6 +36,8 @@ double default_hit_rate(const Clause& clause);
 double default_background(const Clause& clause);
 double hit_rate_of(const Clause& clause);
 double background_of(const Clause& clause);
+/// Exponent of the clause's likelihood ratio: what the author wrote times what was counted.
+inline double weight_of(const Clause& clause) { return clause.weight * clause.counted_weight; }
 /// P(class) of a random surface, and of none of the classes.
 double prior_of(const Ontology& ontology, int class_index);
 double unknown_prior_of(const Ontology& ontology);

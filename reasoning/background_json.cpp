@@ -18,7 +18,8 @@ nlohmann::ordered_json background_to_json(const Background& background) {
     rates.push_back({{"class", rate.class_name},
                      {"clause", rate.clause},
                      {"hit_rate", rate.hit_rate},
-                     {"background", rate.background}});
+                     {"background", rate.background},
+                     {"weight", rate.weight}});
   }
   json["clauses"] = rates;
   return json;
@@ -41,9 +42,11 @@ Background background_from_json(const nlohmann::ordered_json& json, const std::s
   const auto rates = reader.at("clauses");
   for (std::size_t i = 0; i < rates.size(); ++i) {
     const auto rate = rates.at(i);
-    background.rates.push_back({rate.at("class").text(), rate.at("clause").text(),
-                                rate.at("hit_rate").number_in(1e-9, 1.0 - 1e-9),
-                                rate.at("background").number_in(1e-9, 1.0 - 1e-9)});
+    background.rates.push_back(
+        {rate.at("class").text(), rate.at("clause").text(),
+         rate.at("hit_rate").number_in(1e-9, 1.0 - 1e-9),
+         rate.at("background").number_in(1e-9, 1.0 - 1e-9),
+         rate.has("weight") ? rate.at("weight").number_in(0.0, 100.0) : 1.0});
   }
   return background;
 }
