@@ -109,9 +109,9 @@ void drop_chance_planes(const CanonicalCloud& cloud, const CellTree& tree, Plane
       // The cube of the cell, from the code of its first point.
       const float side = cloud.cell_side(cell.level);
       const Eigen::Vector3f first = (cloud.point(cell.begin) - cloud.low) / side;
-      const Eigen::Vector3f middle =
-          cloud.low +
-          side * (first.array().floor() + 0.5F).matrix().cwiseMax(Eigen::Vector3f::Constant(0.5F));
+      const Eigen::Vector3f middle = cloud.low + side * (first.cast<int>().cast<float>().array() +
+                                                         0.5F)  // a floor: none is negative
+                                                            .matrix();
       const float radius = 0.8661F * side;
       float widest = reach.least;
       if (reach.height > 0.0F) {  // the nearest point decides; cells near the sensor are small

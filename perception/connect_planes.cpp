@@ -202,22 +202,23 @@ class Connector {
   // Is there a way from these cells to the piece through cells whose beams met something nearer or
   // the plane itself?
   bool hidden_path(const std::vector<std::uint32_t>& from, std::int32_t to) {
-    ++round_;
     queue_ = from;
-    for (const auto cell : queue_) seen_[cell] = round_;
+    touched_ = from;
+    for (const auto cell : queue_) seen_[cell] = 1;
     const std::size_t most = from.size() + (from.size() < 4 ? 50 : 400 + 4 * from.size());
     bool found = false;
     for (std::size_t head = 0; head < queue_.size() && head < most && !found; ++head) {
       around(
-          queue_[head],
-          [&](std::uint32_t next) { return seen_[next] != round_ || piece_[next] == to; },
+          queue_[head], [&](std::uint32_t next) { return seen_[next] == 0 || piece_[next] == to; },
           [&](std::uint32_t next) {
             if (piece_[next] == to) found = true;
-            if (seen_[next] == round_) return;
-            seen_[next] = round_;
+            if (seen_[next] != 0) return;
+            seen_[next] = 1;
+            touched_.push_back(next);
             if (sight(next) >= Sight::blocked) queue_.push_back(next);
           });
     }
+    for (const auto cell : touched_) seen_[cell] = 0;
     return found;
   }
 
@@ -226,9 +227,10 @@ class Connector {
   PlaneLabels& labels_;
   BeamGrid grid_;
   std::vector<std::int32_t> piece_;
-  std::vector<std::uint32_t> seen_, queue_;
+  std::vector<std::uint32_t> queue_, touched_;
+  std::vector<char> seen_;            // by the search for a path
   std::vector<std::uint32_t> sight_;  // a Sight, and above it the number of the plane it is of
-  std::uint32_t round_ = 0, asking_ = 0;
+  std::uint32_t asking_ = 0;
   PlaneReach reach_{GrownPlane{}};
   float side_ = 1.0F;
 };
