@@ -118,8 +118,12 @@ void drop_chance_planes(const CanonicalCloud& cloud, const CellTree& tree, Plane
         widest = std::max(widest, 2.0F * reach.scatter(cloud.inverse_range[cell.begin]));
       }
       if (cell.children != 0 && cell.size() > 64) {
-        // Of a cell with many points nothing is known of the range of each: only its place counts.
-        widest = std::max(widest, static_cast<float>(labels.planes[r].sigma) * 4.0F);
+        // No point of the cell is nearer to the sensor than the first by more than its diagonal.
+        const float inverse = cloud.inverse_range[cell.begin],
+                    nearest = 1.0F - 2.0F * radius * inverse;
+        widest = nearest > 0.5F
+                     ? std::max(widest, 2.0F * reach.scatter(inverse / nearest))
+                     : std::max(widest, static_cast<float>(labels.planes[r].sigma) * 4.0F);
       }
       if (reach.distance(middle.x(), middle.y(), middle.z()) > 3.0F * thick * widest + radius ||
           !footprint.near(middle, radius))
