@@ -1,6 +1,7 @@
 #include "perception/find_planes.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
@@ -167,9 +168,16 @@ Surfaces find_planes(const PointCloud& cloud, const PerceiveOptions& options) {
   const bool bent = estimate_flatness(tree, input.sigma) > bent_from * input.sigma;
   PlaneLabels labels = cell_planes(input.cloud, tree, noise, region_of_cell);
   tree.moments = {};  // nobody asks for them from here on, and they are a third of the memory
-  thin_planes(input.cloud, tree, noise, region_of_cell, labels);
+  std::optional<BeamGrid> grid;
+  parallel_blocks(2, 1, [&](std::size_t task, std::size_t) {
+    if (task == 0) {
+      thin_planes(input.cloud, tree, noise, region_of_cell, labels);
+    } else if (noise.sensor_known) {
+      grid.emplace(input.cloud, noise.sensor);  // asks for nothing but the points
+    }
+  });
   drop_chance_planes(input.cloud, tree, labels);
-  if (noise.sensor_known) connect_planes(input.cloud, noise, fewest_points, labels);
+  if (grid) connect_planes(input.cloud, *grid, noise, fewest_points, labels);
   if (bent) join_bent_planes(input.cloud, tree, input.sigma, labels);
   collect_surfaces(cloud, input, labels.of_point, surfaces);
   return surfaces;
