@@ -1,6 +1,7 @@
 #include "core/data_folder.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <system_error>
 
@@ -14,6 +15,16 @@ namespace {
 std::vector<fs::path> folders(const std::string& kind) {
   std::vector<fs::path> found;
   std::error_code error;
+  std::string variable = "SCANCHOR_";
+  for (const char c : kind)
+    variable += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  const char* own = std::getenv(variable.c_str());
+  const std::string list = own != nullptr ? own : "";
+  for (std::size_t begin = 0; begin < list.size();) {
+    const std::size_t end = std::min(list.find(':', begin), list.size());
+    if (end > begin) found.emplace_back(list.substr(begin, end - begin));
+    begin = end + 1;
+  }
   if (const char* data = std::getenv("SCANCHOR_DATA")) found.push_back(fs::path(data) / kind);
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (!error) found.push_back(program.parent_path().parent_path() / "share" / "scanchor" / kind);
@@ -25,6 +36,16 @@ std::vector<fs::path> folders(const std::string& kind) {
 
 }  // namespace
 
+std::optional<fs::path> look_up_data_file(const std::string& kind, const std::string& name,
+                                          const std::string& ending) {
+  std::error_code error;
+  for (const auto& folder : folders(kind)) {
+    const fs::path candidate = folder / (name + ending);
+    if (fs::is_regular_file(candidate, error)) return candidate;
+  }
+  return std::nullopt;
+}
+
 fs::path find_data_file(const std::string& kind, const std::string& name_or_path,
                         const std::string& ending) {
   std::error_code error;
@@ -32,10 +53,7 @@ fs::path find_data_file(const std::string& kind, const std::string& name_or_path
   const bool is_path = name_or_path.find('/') != std::string::npos ||
                        (name_or_path.size() > ending.size() && name_or_path.ends_with(ending));
   if (!is_path) {
-    for (const auto& folder : folders(kind)) {
-      const fs::path candidate = folder / (name_or_path + ending);
-      if (fs::is_regular_file(candidate, error)) return candidate;
-    }
+    if (const auto found = look_up_data_file(kind, name_or_path, ending)) return *found;
   }
   const auto known = list_data_files(kind, ending);
   fail_data(name_or_path, "", is_path ? "no such file" : "no such name among the " + kind,

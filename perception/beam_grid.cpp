@@ -7,48 +7,46 @@
 #include "core/parallel.hpp"
 
 namespace scanchor {
-namespace {
 
-struct Place {
-  float u, v;
-  std::uint32_t face;
-};
-
-Place place_of(const Eigen::Vector3f& d) {
+BeamGrid::Spot BeamGrid::spot(const Eigen::Vector3f& d, int side) {
   const Eigen::Vector3f a = d.cwiseAbs();
-  if (a.x() >= a.y() && a.x() >= a.z()) return {d.y() / a.x(), d.z() / a.x(), d.x() > 0 ? 0U : 1U};
-  if (a.y() >= a.z()) return {d.x() / a.y(), d.z() / a.y(), d.y() > 0 ? 2U : 3U};
-  return {d.x() / a.z(), d.y() / a.z(), d.z() > 0 ? 4U : 5U};
+  if (a.maxCoeff() <= 0.0F) return {0, side / 2, side / 2};
+  const auto on = [side](int face, float u, float v) {
+    const auto half = 0.5F * static_cast<float>(side);
+    return Spot{face, std::clamp(static_cast<int>((u + 1.0F) * half), 0, side - 1),
+                std::clamp(static_cast<int>((v + 1.0F) * half), 0, side - 1)};
+  };
+  if (a.x() >= a.y() && a.x() >= a.z()) return on(d.x() > 0 ? 0 : 1, d.y() / a.x(), d.z() / a.x());
+  if (a.y() >= a.z()) return on(d.y() > 0 ? 2 : 3, d.x() / a.y(), d.z() / a.y());
+  return on(d.z() > 0 ? 4 : 5, d.x() / a.z(), d.y() / a.z());
 }
-
-std::uint32_t cell_at(const Place& p, int side) {
-  const int x =
-      std::clamp(static_cast<int>((p.u + 1.0F) * 0.5F * static_cast<float>(side)), 0, side - 1);
-  const int y =
-      std::clamp(static_cast<int>((p.v + 1.0F) * 0.5F * static_cast<float>(side)), 0, side - 1);
-  return (p.face * static_cast<std::uint32_t>(side) + static_cast<std::uint32_t>(y)) *
-             static_cast<std::uint32_t>(side) +
-         static_cast<std::uint32_t>(x);
-}
-
-}  // namespace
 
 BeamGrid::BeamGrid(const CanonicalCloud& cloud, const Eigen::Vector3d& sensor) {
   constexpr int coarse_side = 48, finest = 1024;
-  constexpr std::size_t block = 16384, coarse_cells = 6 * coarse_side * coarse_side;
+  constexpr std::size_t block = 16384;
   constexpr double spacings_per_cell = 1.1;
   const std::size_t n = cloud.size();
   const Eigen::Vector3f at = sensor.cast<float>();
-  const auto place = [&](std::size_t i) {
-    const Eigen::Vector3f d = cloud.point(i) - at;
-    return d.squaredNorm() > 0.0F ? place_of(d) : Place{0.0F, 0.0F, 0};
-  };
-  std::vector<std::uint32_t> coarse(coarse_cells, 0);
   cell_of_point_.resize(n);
-  parallel_blocks(n, block, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) cell_of_point_[i] = cell_at(place(i), coarse_side);
-  });
-  for (const auto cell : cell_of_point_) ++coarse[cell];
+  // The place of each point in a grid of this side, one after the other: face, row, column.
+  const auto place_points = [&](int side) {
+    parallel_blocks(n, block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Spot here = spot(cloud.point(i) - at, side);
+        cell_of_point_[i] = static_cast<std::uint32_t>(here.face << 20 | here.y << 10 | here.x);
+      }
+    });
+  };
+  const auto spot_of = [](std::uint32_t place) {
+    return Spot{static_cast<int>(place >> 20), static_cast<int>(place & 1023U),
+                static_cast<int>(place >> 10 & 1023U)};
+  };
+  place_points(coarse_side);
+  std::vector<std::uint32_t> coarse(6 * coarse_side * coarse_side, 0);
+  for (const auto place : cell_of_point_) {
+    const Spot here = spot_of(place);
+    ++coarse[static_cast<std::size_t>((here.face * coarse_side + here.y) * coarse_side + here.x)];
+  }
   std::sort(coarse.begin(), coarse.end());
   std::size_t below = 0;
   std::uint32_t median = 1;
@@ -60,14 +58,34 @@ BeamGrid::BeamGrid(const CanonicalCloud& cloud, const Eigen::Vector3d& sensor) {
   side_ = std::clamp(
       static_cast<int>(coarse_side * std::sqrt(static_cast<double>(median)) / spacings_per_cell), 4,
       finest);
-  one_over_side_ = (std::uint64_t{1} << 40) / static_cast<std::uint64_t>(side_) + 1;
-  parallel_blocks(n, block, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) cell_of_point_[i] = cell_at(place(i), side_);
-  });
+  tiles_ = (side_ + 7) / 8;
+  place_points(side_);
+  tile_at_.assign(6 * static_cast<std::size_t>(tiles_) * static_cast<std::size_t>(tiles_), 0);
+  const auto tile = [&](const Spot& here) -> std::uint32_t& {
+    return tile_at_[static_cast<std::size_t>((here.face * tiles_ + here.y) * tiles_ + here.x)];
+  };
+  for (const auto place : cell_of_point_) {
+    const Spot here = spot_of(place);
+    tile({here.face, here.x >> 3, here.y >> 3}) = 1;
+  }
+  spot_of_tile_.push_back({0, 0, 0});
+  for (int face = 0; face < 6; ++face) {
+    for (int y = 0; y < tiles_; ++y) {
+      for (int x = 0; x < tiles_; ++x) {
+        auto& number = tile({face, x, y});
+        if (number == 0) continue;
+        number = static_cast<std::uint32_t>(spot_of_tile_.size());
+        spot_of_tile_.push_back({face, x, y});
+      }
+    }
+  }
   // A counting sort: `start_` is where the next point of a cell goes, and in the end where the next
   // cell begins.
-  start_.assign(6 * static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_) + 1, 0);
-  for (const auto cell : cell_of_point_) ++start_[cell];
+  start_.assign(64 * spot_of_tile_.size() + 1, 0);
+  for (auto& cell : cell_of_point_) {
+    cell = cell_at(spot_of(cell));
+    ++start_[cell];
+  }
   std::exclusive_scan(start_.begin(), start_.end(), start_.begin(), 0U);
   order_.resize(n);
   for (std::size_t i = 0; i < n; ++i)
@@ -76,17 +94,17 @@ BeamGrid::BeamGrid(const CanonicalCloud& cloud, const Eigen::Vector3d& sensor) {
   start_[0] = 0;
 }
 
-std::uint32_t BeamGrid::beyond_face(int face, int x, int y) const {
+BeamGrid::Spot BeamGrid::beyond_face(int face, int x, int y) const {
   const float u = (static_cast<float>(x) + 0.5F) * 2.0F / static_cast<float>(side_) - 1.0F;
   const float v = (static_cast<float>(y) + 0.5F) * 2.0F / static_cast<float>(side_) - 1.0F;
   const float sign = face % 2 == 0 ? 1.0F : -1.0F;
   switch (face / 2) {
     case 0:
-      return cell_at(place_of({sign, u, v}), side_);
+      return spot({sign, u, v}, side_);
     case 1:
-      return cell_at(place_of({u, sign, v}), side_);
+      return spot({u, sign, v}, side_);
     default:
-      return cell_at(place_of({u, v, sign}), side_);
+      return spot({u, v, sign}, side_);
   }
 }
 

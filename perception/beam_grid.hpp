@@ -12,7 +12,8 @@
 namespace scanchor {
 
 /// Cells of a cube around the sensor, each face divided evenly, 1.1 spacings of the beams wide
-/// where the median beam lies.
+/// where the median beam lies. They are kept in tiles of 8 x 8, and only those that hold a point;
+/// all others are one empty tile, the first.
 class BeamGrid {
  public:
   BeamGrid(const CanonicalCloud& cloud, const Eigen::Vector3d& sensor);
@@ -24,40 +25,61 @@ class BeamGrid {
   }
   /// Cells up to `Reach` away in both directions, as (2 Reach + 1)^2 indices row by row, the cell
   /// itself in the middle; over the edge of a face the cell in that direction on the next one.
+  /// Precondition: the cell holds a point.
   template <int Reach>
   [[nodiscard]] std::array<std::uint32_t, (2 * Reach + 1) * (2 * Reach + 1)> around(
       std::uint32_t cell) const {
     std::array<std::uint32_t, (2 * Reach + 1) * (2 * Reach + 1)> cells;
-    const auto side = static_cast<std::uint32_t>(side_);
-    const std::uint32_t row = over_side(cell), face = over_side(row);
-    const int x = static_cast<int>(cell - row * side), y = static_cast<int>(row - face * side);
-    const bool inside = x >= Reach && y >= Reach && x + Reach < side_ && y + Reach < side_;
+    const int in_x = static_cast<int>(cell & 7U), in_y = static_cast<int>(cell >> 3 & 7U);
     std::size_t k = 0;
-    if (inside) {
+    if (in_x >= Reach && in_y >= Reach && in_x + Reach < 8 && in_y + Reach < 8) {
       for (int dy = -Reach; dy <= Reach; ++dy) {
         for (int dx = -Reach; dx <= Reach; ++dx)
-          cells[k++] = cell + static_cast<std::uint32_t>(dy * side_ + dx);
+          cells[k++] = cell + static_cast<std::uint32_t>(8 * dy + dx);
+      }
+      return cells;
+    }
+    const Spot tile = spot_of_tile_[cell >> 6];
+    const int x = 8 * tile.x + in_x, y = 8 * tile.y + in_y;
+    if (x >= Reach && y >= Reach && x + Reach < side_ && y + Reach < side_) {
+      for (int dy = -Reach; dy <= Reach; ++dy) {
+        // A row lies in one tile or in two.
+        const auto* const row = tile_at_.data() + (tile.face * tiles_ + ((y + dy) >> 3)) * tiles_;
+        const int split = (x + Reach) & ~7;
+        const auto below = static_cast<std::uint32_t>(((y + dy) & 7) << 3);
+        const std::uint32_t left = row[(x - Reach) >> 3] << 6 | below,
+                            right = row[(x + Reach) >> 3] << 6 | below;
+        for (int dx = -Reach; dx <= Reach; ++dx)
+          cells[k++] = (x + dx < split ? left : right) | static_cast<std::uint32_t>((x + dx) & 7);
       }
       return cells;
     }
     for (int dy = -Reach; dy <= Reach; ++dy) {
       for (int dx = -Reach; dx <= Reach; ++dx) {
         const bool on_face = x + dx >= 0 && y + dy >= 0 && x + dx < side_ && y + dy < side_;
-        cells[k++] = on_face ? cell + static_cast<std::uint32_t>(dy * side_ + dx)
-                             : beyond_face(static_cast<int>(face), x + dx, y + dy);
+        cells[k++] = cell_at(on_face ? Spot{tile.face, x + dx, y + dy}
+                                     : beyond_face(tile.face, x + dx, y + dy));
       }
     }
     return cells;
   }
 
  private:
-  // A division by the side: exact, since v * side stays below 2^40.
-  [[nodiscard]] std::uint32_t over_side(std::uint32_t v) const {
-    return static_cast<std::uint32_t>(v * one_over_side_ >> 40);
+  struct Spot {
+    int face, x, y;
+  };
+  [[nodiscard]] std::uint32_t cell_at(const Spot& at) const {
+    return tile_at_[static_cast<std::size_t>((at.face * tiles_ + (at.y >> 3)) * tiles_ +
+                                             (at.x >> 3))]
+               << 6 |
+           static_cast<std::uint32_t>((at.y & 7) << 3 | (at.x & 7));
   }
-  [[nodiscard]] std::uint32_t beyond_face(int face, int x, int y) const;
-  int side_ = 1;
-  std::uint64_t one_over_side_ = 0;  // times 2^40, rounded up
+  [[nodiscard]] Spot beyond_face(int face, int x, int y) const;
+  static Spot spot(const Eigen::Vector3f& direction, int side);
+
+  int side_ = 1, tiles_ = 1;            // cells and tiles along the side of a face
+  std::vector<std::uint32_t> tile_at_;  // number of the tile by face and place, 0: empty
+  std::vector<Spot> spot_of_tile_;      // x and y count tiles
   std::vector<std::uint32_t> cell_of_point_, start_, order_;
 };
 

@@ -89,10 +89,10 @@ double estimate_flatness(const CellTree& tree, double sigma) {
   for (std::size_t i = 0; i < tree.cells.size(); ++i) {
     const Cell& cell = tree.cells[i];
     if (cell.children < 2 || cell.size() < 4 * fewest) continue;
-    const MomentPlane whole = fit_plane_fast(tree.moments[i]);
     // Broad in both directions: twenty times the noise, where it has averaged out.
-    if (whole.variances[1] < broad * sigma * sigma || whole.variances[1] < 9.0 * whole.variances[0])
-      continue;
+    const Eigen::Vector3d variances = plane_variances_fast(tree.moments[i]);
+    if (variances[1] < broad * sigma * sigma || variances[1] < 9.0 * variances[0]) continue;
+    const MomentPlane whole = fit_plane_fast(tree.moments[i]);
     double squares = 0.0, freedom = 0.0, covered = 0.0;
     bool even = true;
     for (std::uint32_t c = 0; c < cell.children && even; ++c) {

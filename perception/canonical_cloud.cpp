@@ -5,22 +5,55 @@
 #include <array>
 #include <cmath>
 
+#include "core/parallel.hpp"
+
 namespace scanchor {
 namespace {
 
-struct Keyed {
+constexpr std::size_t block = 8192;  // points a task
+
+// A point on its way to its place.
+struct Record {
   std::uint64_t code;
-  std::uint32_t at;  // position in `index`
+  float x, y, z;
+  std::uint32_t source;
+};
+
+// Calls add(sum, begin, end) for blocks of [0, n), each with a sum of its own, and returns the sum
+// of all: for sums whose order does not matter.
+template <class Sum, class Add>
+Sum sum_of_blocks(std::size_t n, const Sum& zero, const Add& add) {
+  std::vector<Sum> sums((n + block - 1) / block, zero);
+  parallel_blocks(n, block, [&](std::size_t begin, std::size_t end) {
+    Sum sum = zero;
+    add(sum, begin, end);
+    sums[begin / block] = sum;
+  });
+  Sum total = zero;
+  for (const auto& sum : sums) total += sum;
+  return total;
+}
+
+struct Bounds {
+  Eigen::Array3d low = Eigen::Array3d::Constant(1e300), high = -low;
+  void add(const Eigen::Array3d& p) {
+    low = low.min(p);
+    high = high.max(p);
+  }
+  Bounds& operator+=(const Bounds& other) {
+    low = low.min(other.low);
+    high = high.max(other.high);
+    return *this;
+  }
 };
 
 Eigen::AlignedBox3d bounds_of(const std::vector<Eigen::Vector3d>& points,
                               const std::vector<std::uint32_t>& index) {
-  Eigen::Array3d low = points[index[0]].array(), high = low;
-  for (const auto i : index) {
-    low = low.min(points[i].array());
-    high = high.max(points[i].array());
-  }
-  return {low.matrix(), high.matrix()};
+  const Bounds bounds =
+      sum_of_blocks(index.size(), Bounds{}, [&](Bounds& sum, std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) sum.add(points[index[k]].array());
+      });
+  return {bounds.low.matrix(), bounds.high.matrix()};
 }
 
 // Mean and axes of the points. Coordinates are rounded to 2^-17 of the extent for the second
@@ -32,49 +65,52 @@ Eigen::Isometry3d principal_frame(const std::vector<Eigen::Vector3d>& points,
   const Eigen::Vector3d middle = box.center();
   const double extent = std::max(box.sizes().maxCoeff(), 1e-9);
   const double to_grid = 131072.0 / extent;
-  std::array<std::int64_t, 3> sum{};
-  std::array<std::int64_t, 6> product{};
-  for (const auto i : index) {
-    const Eigen::Vector3d d = (points[i] - middle) * to_grid;
-    // Casting truncates; the shift makes that a floor, the same for every sign.
-    const std::int64_t a = static_cast<std::int64_t>(d.x() + 131072.5) - 131072;
-    const std::int64_t b = static_cast<std::int64_t>(d.y() + 131072.5) - 131072;
-    const std::int64_t c = static_cast<std::int64_t>(d.z() + 131072.5) - 131072;
-    sum[0] += a;
-    sum[1] += b;
-    sum[2] += c;
-    product[0] += a * a;
-    product[1] += a * b;
-    product[2] += a * c;
-    product[3] += b * b;
-    product[4] += b * c;
-    product[5] += c * c;
-  }
+  using Sums = Eigen::Array<std::int64_t, 9, 1>;
+  const Sums sum = sum_of_blocks(
+      index.size(), Sums(Sums::Zero()), [&](Sums& part, std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+          const Eigen::Vector3d d = (points[index[k]] - middle) * to_grid;
+          // Casting truncates; the shift makes that a floor, the same for every sign.
+          const std::int64_t a = static_cast<std::int64_t>(d.x() + 131072.5) - 131072;
+          const std::int64_t b = static_cast<std::int64_t>(d.y() + 131072.5) - 131072;
+          const std::int64_t c = static_cast<std::int64_t>(d.z() + 131072.5) - 131072;
+          part[0] += a;
+          part[1] += b;
+          part[2] += c;
+          part[3] += a * a;
+          part[4] += a * b;
+          part[5] += a * c;
+          part[6] += b * b;
+          part[7] += b * c;
+          part[8] += c * c;
+        }
+      });
   const double n = static_cast<double>(index.size());
   const Eigen::Vector3d mean(static_cast<double>(sum[0]) / n, static_cast<double>(sum[1]) / n,
                              static_cast<double>(sum[2]) / n);
+  const Eigen::Array<double, 9, 1> real = sum.cast<double>();
   Eigen::Matrix3d covariance;
-  covariance << static_cast<double>(product[0]), static_cast<double>(product[1]),
-      static_cast<double>(product[2]), static_cast<double>(product[1]),
-      static_cast<double>(product[3]), static_cast<double>(product[4]),
-      static_cast<double>(product[2]), static_cast<double>(product[4]),
-      static_cast<double>(product[5]);
+  covariance << real[3], real[4], real[5], real[4], real[6], real[7], real[5], real[7], real[8];
   covariance = covariance / n - mean * mean.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   Eigen::Matrix3d axes = solver.eigenvectors().rowwise().reverse();
   Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
   frame.translation() = middle + mean / to_grid;
 
-  // The longer tail is the positive side. Each cube is rounded to an integer of at most 2^35 before
-  // it is summed.
-  std::array<std::int64_t, 2> skew{};
+  // The longer tail is the positive side. Each cube is cut to an integer of at most 2^35 before it
+  // is summed.
+  using Skew = Eigen::Array<std::int64_t, 2, 1>;
   const double to_unit = 1.0 / extent;
-  for (const auto i : index) {
-    const Eigen::Vector3d d = (points[i] - frame.translation()) * to_unit;
-    const double u = axes.col(0).dot(d), v = axes.col(1).dot(d);
-    skew[0] += static_cast<std::int64_t>(std::llround(u * u * u * 0x1p33));
-    skew[1] += static_cast<std::int64_t>(std::llround(v * v * v * 0x1p33));
-  }
+  const Eigen::Vector3d first = axes.col(0), second = axes.col(1), origin = frame.translation();
+  const Skew skew = sum_of_blocks(
+      index.size(), Skew(Skew::Zero()), [&](Skew& part, std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+          const Eigen::Vector3d d = (points[index[k]] - origin) * to_unit;
+          const double u = first.dot(d), v = second.dot(d);
+          part[0] += static_cast<std::int64_t>(u * u * u * 0x1p33);
+          part[1] += static_cast<std::int64_t>(v * v * v * 0x1p33);
+        }
+      });
   if (skew[0] < 0) axes.col(0) = -axes.col(0);
   if (skew[1] < 0) axes.col(1) = -axes.col(1);
   axes.col(2) = axes.col(0).cross(axes.col(1));
@@ -82,32 +118,78 @@ Eigen::Isometry3d principal_frame(const std::vector<Eigen::Vector3d>& points,
   return frame;
 }
 
-// Least significant digit first, 12 bits a pass: four passes for 48 bits, each skipped where all
-// digits are equal.
-void radix_sort(std::vector<Keyed>& keys) {
-  constexpr int digit_bits = 12, passes = 4;
-  constexpr std::size_t buckets = 1U << digit_bits;
-  std::vector<Keyed> other(keys.size());
-  std::array<std::vector<std::uint32_t>, passes> counts;
-  for (auto& count : counts) count.assign(buckets, 0);
-  for (const auto& key : keys) {
-    for (int pass = 0; pass < passes; ++pass) {
-      ++counts[pass][(key.code >> (digit_bits * pass)) & (buckets - 1)];
-    }
+bool before(const Record& p, const Record& q) {
+  if (p.code != q.code) return p.code < q.code;
+  if (p.x != q.x) return p.x < q.x;
+  if (p.y != q.y) return p.y < q.y;
+  if (p.z != q.z) return p.z < q.z;
+  return p.source < q.source;
+}
+
+// Sorts records whose codes agree but for the last `bits`: by three levels of the octree at once,
+// until a handful is left.
+void sort_cell(Record* first, std::size_t n, int bits, Record* scratch) {
+  constexpr int step = 9;
+  if (n <= 24 || bits == 0) {
+    std::sort(first, first + n, before);
+    return;
   }
-  for (int pass = 0; pass < passes; ++pass) {
-    auto& count = counts[pass];
-    const int shift = digit_bits * pass;
-    if (count[(keys[0].code >> shift) & (buckets - 1)] == keys.size()) continue;
-    std::uint32_t start = 0;
-    for (auto& c : count) {
-      const std::uint32_t here = c;
-      c = start;
-      start += here;
-    }
-    for (const auto& key : keys) other[count[(key.code >> shift) & (buckets - 1)]++] = key;
-    keys.swap(other);
+  bits -= step;
+  const auto digit = [bits](const Record& r) { return r.code >> bits & ((1U << step) - 1U); };
+  std::array<std::uint32_t, (1U << step) + 1> start{};
+  for (std::size_t i = 0; i < n; ++i) ++start[digit(first[i]) + 1];
+  for (std::size_t d = 0; d < (1U << step); ++d) start[d + 1] += start[d];
+  auto next = start;
+  for (std::size_t i = 0; i < n; ++i) scratch[next[digit(first[i])]++] = first[i];
+  std::copy(scratch, scratch + n, first);
+  for (std::size_t d = 0; d < (1U << step); ++d) {
+    const std::size_t size = start[d + 1] - start[d];
+    if (size > 1) sort_cell(first + start[d], size, bits, scratch);
   }
+}
+
+// Into the order of the codes, ties by x, y, z and source. By the first four levels of the octree
+// at once; each cell of those then holds few enough points to be sorted near the processor.
+void sort_records(std::vector<Record>& records) {
+  constexpr int top_bits = 12, shift = 3 * CanonicalCloud::levels - top_bits;
+  constexpr std::size_t cells = 1U << top_bits;
+  const std::size_t n = records.size(), blocks = (n + block - 1) / block;
+  std::vector<std::uint32_t> start(cells + 1, 0);
+  {
+    std::vector<Record> scattered(n);
+    // Where the next record of a block goes, for each cell: blocks one after another.
+    const std::size_t tasks = std::min<std::size_t>(blocks, 8), a_task = (n + tasks - 1) / tasks;
+    std::vector<std::uint32_t> next(tasks * cells, 0);
+    parallel_blocks(n, a_task, [&](std::size_t begin, std::size_t end) {
+      auto* const count = next.data() + begin / a_task * cells;
+      for (std::size_t k = begin; k < end; ++k) ++count[records[k].code >> shift];
+    });
+    std::uint32_t sum = 0;
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+      start[cell] = sum;
+      for (std::size_t task = 0; task < tasks; ++task) {
+        const auto count = next[task * cells + cell];
+        next[task * cells + cell] = sum;
+        sum += count;
+      }
+    }
+    start[cells] = sum;
+    parallel_blocks(n, a_task, [&](std::size_t begin, std::size_t end) {
+      auto* const to = next.data() + begin / a_task * cells;
+      for (std::size_t k = begin; k < end; ++k)
+        scattered[to[records[k].code >> shift]++] = records[k];
+    });
+    records.swap(scattered);
+  }
+  parallel_blocks(cells, 32, [&](std::size_t begin, std::size_t end) {
+    std::vector<Record> scratch;
+    for (std::size_t cell = begin; cell < end; ++cell) {
+      const std::size_t size = start[cell + 1] - start[cell];
+      if (size < 2) continue;
+      if (scratch.size() < size) scratch.resize(size);
+      sort_cell(records.data() + start[cell], size, shift, scratch.data());
+    }
+  });
 }
 
 }  // namespace
@@ -121,69 +203,60 @@ CanonicalCloud canonical_cloud(const std::vector<Eigen::Vector3d>& points,
   const Eigen::Isometry3d to_canonical = cloud.T_cloud_canonical.inverse();
   const std::size_t n = index.size();
 
-  std::vector<Eigen::Vector3f> moved(n);
-  Eigen::Array3f low = Eigen::Array3f::Constant(3e38F), high = -low;
-  for (std::size_t k = 0; k < n; ++k) {
-    moved[k] = (to_canonical * points[index[k]]).cast<float>();
-    low = low.min(moved[k].array());
-    high = high.max(moved[k].array());
-  }
+  std::vector<Record> records(n);
+  const Bounds bounds =
+      sum_of_blocks(n, Bounds{}, [&](Bounds& sum, std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+          const Eigen::Vector3f p = (to_canonical * points[index[k]]).cast<float>();
+          records[k] = {0, p.x(), p.y(), p.z(), index[k]};
+          sum.add(p.cast<double>().array());
+        }
+      });
+  const Eigen::Array3f low = bounds.low.cast<float>(), high = bounds.high.cast<float>();
   cloud.low = low.matrix();
   // A little larger than the box, so that the highest coordinate falls inside.
   cloud.side = std::max((high - low).maxCoeff() * 1.0001F, 1e-6F);
   const float to_cell = 65536.0F / cloud.side;
+  parallel_blocks(n, block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      Record& p = records[k];
+      p.code = spread_bits(static_cast<std::uint32_t>((p.x - cloud.low.x()) * to_cell)) << 2 |
+               spread_bits(static_cast<std::uint32_t>((p.y - cloud.low.y()) * to_cell)) << 1 |
+               spread_bits(static_cast<std::uint32_t>((p.z - cloud.low.z()) * to_cell));
+    }
+  });
+  sort_records(records);
 
-  std::vector<Keyed> keys(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    const Eigen::Vector3f d = (moved[k] - cloud.low) * to_cell;
-    keys[k] = {spread_bits(static_cast<std::uint32_t>(d.x())) << 2 |
-                   spread_bits(static_cast<std::uint32_t>(d.y())) << 1 |
-                   spread_bits(static_cast<std::uint32_t>(d.z())),
-               static_cast<std::uint32_t>(k)};
-  }
-  radix_sort(keys);
-  const auto before = [&](const Keyed& a, const Keyed& b) {
-    const auto &p = moved[a.at], &q = moved[b.at];
-    if (p.x() != q.x()) return p.x() < q.x();
-    if (p.y() != q.y()) return p.y() < q.y();
-    if (p.z() != q.z()) return p.z() < q.z();
-    return index[a.at] < index[b.at];
-  };
-  for (std::size_t i = 0; i < n;) {
-    std::size_t end = i + 1;
-    while (end < n && keys[end].code == keys[i].code) ++end;
-    if (end - i > 1) std::sort(keys.begin() + i, keys.begin() + end, before);
-    i = end;
-  }
-
-  cloud.x.reserve(n);
-  cloud.y.reserve(n);
-  cloud.z.reserve(n);
-  cloud.code.reserve(n);
   cloud.source.resize(n);
   cloud.first.reserve(n + 1);
+  for (auto* coordinate : {&cloud.x, &cloud.y, &cloud.z}) coordinate->resize(n);
+  cloud.code.resize(n);
+  std::size_t kept = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const auto& p = moved[keys[i].at];
-    cloud.source[i] = index[keys[i].at];
-    const bool repeated = i > 0 && p == moved[keys[i - 1].at];
-    if (repeated) {
+    const Record& p = records[i];
+    cloud.source[i] = p.source;
+    if (i > 0 && p.x == cloud.x[kept - 1] && p.y == cloud.y[kept - 1] && p.z == cloud.z[kept - 1]) {
       cloud.first.back() = static_cast<std::uint32_t>(i + 1);
       continue;
     }
-    cloud.x.push_back(p.x());
-    cloud.y.push_back(p.y());
-    cloud.z.push_back(p.z());
-    cloud.code.push_back(keys[i].code);
+    cloud.x[kept] = p.x;
+    cloud.y[kept] = p.y;
+    cloud.z[kept] = p.z;
+    cloud.code[kept++] = p.code;
     cloud.first.push_back(static_cast<std::uint32_t>(i + 1));
   }
+  for (auto* coordinate : {&cloud.x, &cloud.y, &cloud.z}) coordinate->resize(kept);
+  cloud.code.resize(kept);
   cloud.inverse_range.assign(cloud.size(), 0.0F);
   return cloud;
 }
 
 void see_from(const Eigen::Vector3d& sensor, CanonicalCloud& cloud) {
   const Eigen::Vector3f at = sensor.cast<float>();
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    cloud.inverse_range[i] = 1.0F / std::max((cloud.point(i) - at).norm(), 1e-6F);
+  parallel_blocks(cloud.size(), block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      cloud.inverse_range[i] = 1.0F / std::max((cloud.point(i) - at).norm(), 1e-6F);
+  });
 }
 
 }  // namespace scanchor

@@ -26,10 +26,13 @@ struct FlatCell {
 bool is_flat(const Moments& moments, const BeamNoise& noise, MomentPlane& plane) {
   constexpr double fewest = 6.0, breadth = 6.25, tilt = 0.1;
   if (moments.n < fewest) return false;
-  plane = fit_plane_fast(moments);
+  const Eigen::Vector3d variances = plane_variances_fast(moments);
   const double freedom = moments.n - 3.0, sigma2 = noise.sigma * noise.sigma;
-  if (plane.variances[1] < breadth * sigma2 || plane.variances[1] < breadth * plane.variances[0])
+  if (variances[1] < breadth * sigma2 || variances[1] < breadth * variances[0]) return false;
+  // Across no plane is there more noise than along the beam: most cells end here.
+  if (variances[0] * moments.n > slack * sigma2 * freedom * chi_square_factor(freedom, z_flat))
     return false;
+  plane = fit_plane_fast(moments);
   const double across = noise.across(plane, moments.mean()), across2 = across * across;
   return plane.variances[0] * moments.n <=
              slack * across2 * freedom * chi_square_factor(freedom, z_flat) &&

@@ -109,17 +109,21 @@ void drop_chance_planes(const CanonicalCloud& cloud, const CellTree& tree, Plane
       // The cube of the cell, from the code of its first point.
       const float side = cloud.cell_side(cell.level);
       const Eigen::Vector3f first = (cloud.point(cell.begin) - cloud.low) / side;
-      const Eigen::Vector3f middle =
-          cloud.low +
-          side * (first.array().floor() + 0.5F).matrix().cwiseMax(Eigen::Vector3f::Constant(0.5F));
+      const Eigen::Vector3f middle = cloud.low + side * (first.cast<int>().cast<float>().array() +
+                                                         0.5F)  // a floor: none is negative
+                                                            .matrix();
       const float radius = 0.8661F * side;
       float widest = reach.least;
       if (reach.height > 0.0F) {  // the nearest point decides; cells near the sensor are small
         widest = std::max(widest, 2.0F * reach.scatter(cloud.inverse_range[cell.begin]));
       }
       if (cell.children != 0 && cell.size() > 64) {
-        // Of a cell with many points nothing is known of the range of each: only its place counts.
-        widest = std::max(widest, static_cast<float>(labels.planes[r].sigma) * 4.0F);
+        // No point of the cell is nearer to the sensor than the first by more than its diagonal.
+        const float inverse = cloud.inverse_range[cell.begin],
+                    nearest = 1.0F - 2.0F * radius * inverse;
+        widest = nearest > 0.5F
+                     ? std::max(widest, 2.0F * reach.scatter(inverse / nearest))
+                     : std::max(widest, static_cast<float>(labels.planes[r].sigma) * 4.0F);
       }
       if (reach.distance(middle.x(), middle.y(), middle.z()) > 3.0F * thick * widest + radius ||
           !footprint.near(middle, radius))

@@ -1,8 +1,10 @@
 #include "perception/find_planes.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "perception/bent_planes.hpp"
 #include "perception/cell_planes.hpp"
 #include "perception/cell_tree.hpp"
@@ -16,26 +18,67 @@
 
 namespace scanchor {
 
+namespace {
+
+struct RegionPart {
+  std::int32_t region;
+  std::uint32_t count;  // points of the input
+  Moments moments;      // of different ones, about the canonical origin
+};
+
+// Writes the region of each point of the input, and sums them up in double precision, in blocks of
+// the canonical order: the last bit of a plane depends neither on the order of the input nor on who
+// took which block.
+std::vector<RegionPart> sum_by_region(const PointCloud& cloud, const CanonicalCloud& canonical,
+                                      const std::vector<std::int32_t>& region_of,
+                                      std::vector<std::int32_t>& plane_of_point) {
+  constexpr std::size_t block = 8192, ahead = 32;
+  const Eigen::Vector3d origin = canonical.T_cloud_canonical.translation();
+  const std::size_t n = region_of.size();
+  std::vector<std::vector<RegionPart>> parts((n + block - 1) / block);
+  parallel_blocks(n, block, [&](std::size_t begin, std::size_t end) {
+    auto& here = parts[begin / block];
+    std::size_t last = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      // The input lies in another order: its points are far from each other.
+      if (i + ahead < n)
+        __builtin_prefetch(&cloud.points[canonical.source[canonical.first[i + ahead]]]);
+      const auto region = region_of[i];
+      if (region < 0) continue;
+      if (here.empty() || here[last].region != region) {
+        last = 0;
+        while (last < here.size() && here[last].region != region) ++last;
+        if (last == here.size()) here.push_back({region, 0, {}});
+      }
+      RegionPart& part = here[last];
+      const Eigen::Vector3d d = cloud.points[canonical.source[canonical.first[i]]] - origin;
+      part.moments.add(d.x(), d.y(), d.z());
+      for (auto s = canonical.first[i]; s < canonical.first[i + 1]; ++s) {
+        plane_of_point[canonical.source[s]] = region;
+        ++part.count;
+      }
+    }
+  });
+  std::vector<RegionPart> all;
+  for (const auto& here : parts) all.insert(all.end(), here.begin(), here.end());
+  return all;
+}
+
+}  // namespace
+
 void collect_surfaces(const PointCloud& cloud, const PlaneInput& input,
                       const std::vector<std::int32_t>& region_of, Surfaces& surfaces) {
   const auto& canonical = input.cloud;
   std::size_t regions = 0;
   for (const auto region : region_of)
     regions = std::max(regions, static_cast<std::size_t>(region + 1));
-  // Sums run over the canonical order, so that the last bit of a plane does not depend on the order
-  // of the input.
   const Eigen::Vector3d origin = canonical.T_cloud_canonical.translation();
   std::vector<Moments> moments(regions);
   std::vector<std::uint32_t> count(regions, 0);
-  for (std::size_t i = 0; i < region_of.size(); ++i) {
-    if (region_of[i] < 0) continue;
-    const auto r = static_cast<std::size_t>(region_of[i]);
-    const Eigen::Vector3d d = cloud.points[canonical.source[canonical.first[i]]] - origin;
-    moments[r].add(d.x(), d.y(), d.z());
-    for (auto s = canonical.first[i]; s < canonical.first[i + 1]; ++s) {
-      surfaces.plane_of_point[canonical.source[s]] = region_of[i];
-      ++count[r];
-    }
+  for (const auto& part : sum_by_region(cloud, canonical, region_of, surfaces.plane_of_point)) {
+    const auto r = static_cast<std::size_t>(part.region);
+    moments[r].add(part.moments);
+    count[r] += part.count;
   }
   const double floor = least_noise(canonical, input.spacing);
   std::vector<Surface> found(regions);
@@ -104,7 +147,7 @@ Surfaces find_planes(const PointCloud& cloud, const PerceiveOptions& options) {
   }
   Surfaces surfaces;
   PlaneInput input = plane_input(cloud, options, surfaces);
-  const CellTree tree = cell_tree(input.cloud);
+  CellTree tree = cell_tree(input.cloud);
   const double least = least_noise(input.cloud, input.spacing);
   input.sigma = options.noise_sigma > 0.0
                     ? std::max(options.noise_sigma, least)
@@ -122,12 +165,20 @@ Surfaces find_planes(const PointCloud& cloud, const PerceiveOptions& options) {
                       input.cloud.T_cloud_canonical.inverse() * surfaces.sensor_positions.front());
     see_from(noise.sensor, input.cloud);
   }
+  const bool bent = estimate_flatness(tree, input.sigma) > bent_from * input.sigma;
   PlaneLabels labels = cell_planes(input.cloud, tree, noise, region_of_cell);
-  thin_planes(input.cloud, tree, noise, region_of_cell, labels);
+  tree.moments = {};  // nobody asks for them from here on, and they are a third of the memory
+  std::optional<BeamGrid> grid;
+  parallel_blocks(2, 1, [&](std::size_t task, std::size_t) {
+    if (task == 0) {
+      thin_planes(input.cloud, tree, noise, region_of_cell, labels);
+    } else if (noise.sensor_known) {
+      grid.emplace(input.cloud, noise.sensor);  // asks for nothing but the points
+    }
+  });
   drop_chance_planes(input.cloud, tree, labels);
-  if (noise.sensor_known) connect_planes(input.cloud, noise, fewest_points, labels);
-  if (estimate_flatness(tree, input.sigma) > bent_from * input.sigma)
-    join_bent_planes(input.cloud, tree, input.sigma, labels);
+  if (grid) connect_planes(input.cloud, *grid, noise, fewest_points, labels);
+  if (bent) join_bent_planes(input.cloud, tree, input.sigma, labels);
   collect_surfaces(cloud, input, labels.of_point, surfaces);
   return surfaces;
 }

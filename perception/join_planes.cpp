@@ -39,7 +39,7 @@ bool lie_near(const GrownPlane& a, const GrownPlane& b) {
 bool same_plane(const GrownPlane& a, const GrownPlane& b, const BeamNoise& /*noise*/) {
   Moments both = a.moments;
   both.add(b.moments);
-  const double squares = both.n * fit_plane_fast(both).variances[0];
+  const double squares = both.n * plane_variances_fast(both)[0];
   const double apart = a.moments.n * a.plane.variances[0] + b.moments.n * b.plane.variances[0];
   // At grazing incidence the scatter across a plane is far below the range noise: what the two
   // themselves show counts.

@@ -50,4 +50,10 @@ MomentPlane fit_plane_fast(const Moments& moments) {
   return plane_of(moments, solver);
 }
 
+Eigen::Vector3d plane_variances_fast(const Moments& moments) {
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(moments.covariance(), Eigen::EigenvaluesOnly);
+  return solver.eigenvalues().cwiseMax(0.0);
+}
+
 }  // namespace scanchor

@@ -78,5 +78,7 @@ MomentPlane fit_plane(const Moments& moments);
 /// The same by a closed formula, some times faster, exact to about 1e-7 of the largest spread: for
 /// decisions inside loops.
 MomentPlane fit_plane_fast(const Moments& moments);
+/// Its `variances` alone, to the last bit, in half the time.
+Eigen::Vector3d plane_variances_fast(const Moments& moments);
 
 }  // namespace scanchor

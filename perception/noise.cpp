@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel.hpp"
+
 namespace scanchor {
 namespace {
 
@@ -21,6 +23,31 @@ double weighted_quantile(std::vector<Weighted>& values, double share) {
     if (sum >= share * total) return v.value;
   }
   return values.back().value;
+}
+
+// The first place whose code is not below `code`, looked for from place `i` on outwards: the codes
+// of what lies near each other mostly do too.
+std::size_t first_from(const std::vector<std::uint64_t>& codes, std::size_t i, std::uint64_t code) {
+  std::size_t low = i, high = i, step = 8;
+  if (codes[i] < code) {
+    while (high < codes.size() && codes[high] < code) {
+      low = high;
+      high += step;
+      step *= 4;
+    }
+    high = std::min(high, codes.size());
+  } else {
+    while (low > 0 && codes[low] >= code) {
+      high = low;
+      low = low > step ? low - step : 0;
+      step *= 4;
+    }
+  }
+  const auto begin = codes.begin();
+  return static_cast<std::size_t>(std::lower_bound(begin + static_cast<std::ptrdiff_t>(low),
+                                                   begin + static_cast<std::ptrdiff_t>(high),
+                                                   code) -
+                                  begin);
 }
 
 // Squared distance from point i to its nearest neighbour: a bound from the neighbours along the
@@ -51,9 +78,8 @@ float nearest2(const CanonicalCloud& cloud, std::size_t i) {
         const std::uint64_t prefix = spread_bits(static_cast<std::uint64_t>(cx)) << 2 |
                                      spread_bits(static_cast<std::uint64_t>(cy)) << 1 |
                                      spread_bits(static_cast<std::uint64_t>(cz));
-        auto at = std::lower_bound(cloud.code.begin(), cloud.code.end(), prefix << shift);
-        for (; at != cloud.code.end() && *at >> shift == prefix; ++at) {
-          const auto j = static_cast<std::size_t>(at - cloud.code.begin());
+        for (auto j = first_from(cloud.code, i, prefix << shift);
+             j < cloud.size() && cloud.code[j] >> shift == prefix; ++j) {
           if (j != i) best = std::min(best, (cloud.point(j) - p).squaredNorm());
         }
       }
@@ -69,7 +95,9 @@ double median_spacing(const CanonicalCloud& cloud) {
   if (n < 2) return 0.0;
   const std::size_t count = std::min<std::size_t>(n, 1024);
   std::vector<float> spacing(count);
-  for (std::size_t k = 0; k < count; ++k) spacing[k] = nearest2(cloud, k * n / count);
+  parallel_blocks(count, 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) spacing[k] = nearest2(cloud, k * n / count);
+  });
   std::nth_element(spacing.begin(), spacing.begin() + count / 2, spacing.end());
   return std::sqrt(static_cast<double>(spacing[count / 2]));
 }
@@ -89,26 +117,24 @@ double estimate_noise(const CanonicalCloud& cloud, const CellTree& tree, double 
   for (std::size_t i = 0; i < tree.cells.size(); i += stride) {
     const Cell& cell = tree.cells[i];
     if (cell.size() < 2 * fewest || cell.children == 0 || cell.size() > 4096) continue;
+    const Eigen::Vector3d whole = plane_variances_fast(tree.moments[i]);
+    const double variance = whole[0] * cell.size() / (cell.size() - 3.0);
+    if (whole[1] < flat * variance) continue;
     double squares = 0.0, freedom = 0.0, covered = 0.0;
     for (std::uint32_t c = 0; c < cell.children; ++c) {
       const Moments& part = tree.moments[cell.child + c];
       if (part.n < fewest) continue;
-      const MomentPlane plane = fit_plane_fast(part);
-      squares += part.n * plane.variances[0];
+      squares += part.n * plane_variances_fast(part)[0];
       freedom += part.n - 3.0;
       covered += part.n;
     }
     if (covered < 0.7 * cell.size()) continue;
-    const MomentPlane whole = fit_plane_fast(tree.moments[i]);
-    const double variance = whole.variances[0] * cell.size() / (cell.size() - 3.0);
     const double floor2 = least_noise(cloud, spacing) * least_noise(cloud, spacing);
-    if (whole.variances[1] < flat * variance ||
-        variance > growth * std::max(squares / freedom, floor2))
-      continue;
+    if (variance > growth * std::max(squares / freedom, floor2)) continue;
     double cosine = 1.0;
     if (sensors.size() == 1) {
       const Eigen::Vector3d beam = tree.moments[i].mean() - to_canonical * sensors[0];
-      cosine = std::abs(beam.normalized().dot(whole.normal));
+      cosine = std::abs(beam.normalized().dot(fit_plane_fast(tree.moments[i]).normal));
       if (cosine < 0.3) continue;
     }
     seen.push_back({std::sqrt(variance) / cosine, static_cast<double>(cell.size())});

@@ -6,15 +6,6 @@
 namespace scanchor {
 namespace {
 
-void sort_samples(std::vector<OutlineSample>& samples) {
-  std::sort(samples.begin(), samples.end(), [](const OutlineSample& a, const OutlineSample& b) {
-    if (a.chart.x() != b.chart.x()) return a.chart.x() < b.chart.x();
-    if (a.chart.y() != b.chart.y()) return a.chart.y() < b.chart.y();
-    if (a.kind != b.kind) return a.kind < b.kind;
-    return a.point < b.point;
-  });
-}
-
 /// Marks on the cells of a view that cost nothing to wipe: a cell is marked if it holds the number
 /// of the current round.
 struct CellMarks {
@@ -124,16 +115,7 @@ OutlineSamples samples_with_view(const PointCloud& cloud, const ShapeView& view,
   std::vector<std::uint32_t> taken;
   std::vector<char> thinned;
   for (const std::uint32_t cell : deep) {
-    // One for all: the smallest by coordinates, which does not depend on the order of the points.
-    const auto points = view.points(cell);
-    std::uint32_t best = points.front();
-    for (const std::uint32_t i : points) {
-      const auto& p = cloud.points[i];
-      const auto& q = cloud.points[best];
-      if (p.x() < q.x() || (p.x() == q.x() && (p.y() < q.y() || (p.y() == q.y() && p.z() < q.z()))))
-        best = i;
-    }
-    taken.push_back(best);
+    taken.push_back(view.points(cell).front());  // the smallest by coordinates
     thinned.push_back(1);
   }
   for (const std::uint32_t cell : searched) {
@@ -153,7 +135,7 @@ OutlineSamples samples_with_view(const PointCloud& cloud, const ShapeView& view,
     OutlineSample s;
     s.point = i;
     s.thinned = thinned[k] != 0;
-    s.metric = d.normalized();
+    s.metric = R * view.direction(i);
     const std::int32_t plane = surfaces.plane_of_point[i];
     const double t = -chart.sensor.z() / d.z();  // 1: the point itself lies in the plane
     s.reachable = t > 0.0 && std::isfinite(t);
@@ -175,10 +157,6 @@ OutlineSamples samples_with_view(const PointCloud& cloud, const ShapeView& view,
   }
   if (inlier_directions.empty()) return result;
 
-  std::sort(inlier_directions.begin(), inlier_directions.end(),
-            [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-              return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-            });
   const Eigen::Vector3d a = chart_axis(inlier_directions, {0.0, 0.0, -side});
   // e1 x e2 = -a where the sensor looks against the normal, so that counter-clockwise is the same
   // in the chart and in the plane.
@@ -194,7 +172,9 @@ OutlineSamples samples_with_view(const PointCloud& cloud, const ShapeView& view,
   std::erase_if(samples, [&](const OutlineSample& s) { return a.dot(s.metric) < horizon; });
   for (OutlineSample& s : samples)
     s.chart = Eigen::Vector2d(e1.dot(s.metric), e2.dot(s.metric)) / a.dot(s.metric);
-  sort_samples(samples);
+  // Of two rays in one direction the one that met the surface speaks.
+  std::stable_partition(samples.begin(), samples.end(),
+                        [](const OutlineSample& s) { return s.kind == SampleKind::inside; });
   return result;
 }
 

@@ -49,7 +49,7 @@ struct SurfaceChart {
 
 struct OutlineSamples {
   std::vector<OutlineSample>
-      samples;  ///< sorted by chart coordinates: no trace of the order of the points
+      samples;  ///< those inside first, else cell by cell: no trace of the order of the points
   SurfaceChart chart;
   Eigen::Isometry3d T_cloud_plane =
       Eigen::Isometry3d::Identity();  ///< frame of `plane` and of the chart's sensor

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/parallel.hpp"
+
 namespace scanchor {
 namespace {
 
@@ -45,45 +47,65 @@ PointPool point_pool(const CanonicalCloud& cloud, const CellTree& tree, const Pl
     leaf_of_cell[c] = static_cast<std::uint32_t>(pool.leaf.size());
     pool.leaf.push_back(c);
   }
-  std::vector<Link> links;
-  links.reserve(12 * pool.leaf.size());
-  std::array<std::uint64_t, 26> codes;
-  std::vector<std::uint32_t> coarse;
+  // What a block of leaves finds; blocks are put together in their order.
+  struct Found {
+    std::vector<Link> links;
+    std::vector<std::uint32_t> region_count;  // a leaf
+    std::vector<std::int32_t> regions;
+  };
+  constexpr std::size_t block = 512;
+  std::vector<Found> blocks((pool.leaf.size() + block - 1) / block);
   const auto never = [](std::uint32_t) { return false; };
   const auto taken = [&](std::uint32_t at) { return region_of_cell[at] >= 0; };
-  CellTree::Path path_in_tree, path_in_pool;
-  pool.region_start.assign(1, 0);
-  for (std::uint32_t l = 0; l < pool.leaf.size(); ++l) {
-    const Cell& cell = pool.cell(l);
-    coarse.clear();
-    const auto touch = [&](std::uint64_t code) {
-      const auto flat = tree.find_near(path_in_tree, code, cell.level, taken);
-      if (flat == CellTree::none || region_of_cell[flat] < 0) return;
-      const auto known = pool.regions.begin() + pool.region_start.back();
-      if (std::find(known, pool.regions.end(), region_of_cell[flat]) == pool.regions.end()) {
-        pool.regions.push_back(region_of_cell[flat]);
+  parallel_blocks(pool.leaf.size(), block, [&](std::size_t begin, std::size_t end) {
+    Found& found = blocks[begin / block];
+    auto& links = found.links;
+    links.reserve(24 * (end - begin));
+    std::array<std::uint64_t, 26> codes;
+    std::vector<std::uint32_t> coarse;
+    CellTree::Path path_in_tree, path_in_pool;
+    for (auto l = static_cast<std::uint32_t>(begin); l < end; ++l) {
+      const Cell& cell = pool.cell(l);
+      coarse.clear();
+      const auto first_region = static_cast<std::ptrdiff_t>(found.regions.size());
+      const auto touch = [&](std::uint64_t code) {
+        const auto flat = tree.find_near(path_in_tree, code, cell.level, taken);
+        if (flat == CellTree::none || region_of_cell[flat] < 0) return;
+        if (std::find(found.regions.begin() + first_region, found.regions.end(),
+                      region_of_cell[flat]) == found.regions.end())
+          found.regions.push_back(region_of_cell[flat]);
+      };
+      const auto here = pool.cloud.code[cell.begin];
+      tree.find(here, cell.level, taken, path_in_tree);
+      pool.tree.find(here, cell.level, never, path_in_pool);
+      touch(here);
+      const int count = pool.tree.neighbour_codes(pool.cloud, pool.leaf[l], codes);
+      for (int k = 0; k < count; ++k) {
+        const auto code = codes[static_cast<std::size_t>(k)];
+        touch(code);
+        const auto at = pool.tree.find_near(path_in_pool, code, cell.level, never);
+        if (at == CellTree::none || pool.tree.cells[at].children != 0)
+          continue;  // smaller ones link to this one
+        if (pool.tree.cells[at].level == cell.level) {
+          links.push_back({l, leaf_of_cell[at]});  // and it links back when its turn comes
+        } else if (std::find(coarse.begin(), coarse.end(), at) == coarse.end()) {
+          coarse.push_back(at);
+          links.push_back({l, leaf_of_cell[at]});
+          links.push_back({leaf_of_cell[at], l});
+        }
       }
-    };
-    const auto here = pool.cloud.code[cell.begin];
-    tree.find(here, cell.level, taken, path_in_tree);
-    pool.tree.find(here, cell.level, never, path_in_pool);
-    touch(here);
-    const int count = pool.tree.neighbour_codes(pool.cloud, pool.leaf[l], codes);
-    for (int k = 0; k < count; ++k) {
-      const auto code = codes[static_cast<std::size_t>(k)];
-      touch(code);
-      const auto at = pool.tree.find_near(path_in_pool, code, cell.level, never);
-      if (at == CellTree::none || pool.tree.cells[at].children != 0)
-        continue;  // smaller ones link to this one
-      if (pool.tree.cells[at].level == cell.level) {
-        links.push_back({l, leaf_of_cell[at]});  // and it links back when its turn comes
-      } else if (std::find(coarse.begin(), coarse.end(), at) == coarse.end()) {
-        coarse.push_back(at);
-        links.push_back({l, leaf_of_cell[at]});
-        links.push_back({leaf_of_cell[at], l});
-      }
+      found.region_count.push_back(static_cast<std::uint32_t>(
+          found.regions.size() - static_cast<std::size_t>(first_region)));
     }
-    pool.region_start.push_back(static_cast<std::uint32_t>(pool.regions.size()));
+  });
+  std::vector<Link> links;
+  pool.region_start.assign(1, 0);
+  for (auto& found : blocks) {
+    links.insert(links.end(), found.links.begin(), found.links.end());
+    pool.regions.insert(pool.regions.end(), found.regions.begin(), found.regions.end());
+    for (const auto count : found.region_count)
+      pool.region_start.push_back(pool.region_start.back() + count);
+    found = {};
   }
   to_lists(links, pool.leaf.size(), pool.start, pool.to);
   return pool;

@@ -4,186 +4,18 @@
 #include <cmath>
 
 #include "core/math.hpp"
+#include "perception/rectangle_sides.hpp"
 #include "perception/shape_common.hpp"
 
 namespace scanchor {
 namespace {
 
-constexpr int bins = 48;              // positions of a side that are tried at once
-constexpr int directions = 13;        // directions that are tried at once
-constexpr int rounds = 3;             // each looks closer at where the one before found weight
-constexpr double wrong = 0.01;        // share of samples that belong to the other side of the edge
-constexpr double most_beyond = 0.08;  // of the area may lie beyond a side
-constexpr double hardly_anything = 0.01;  // of the area is given up where no side is seen
+constexpr int bins = 48;        // positions of a side that are tried at once
+constexpr int directions = 13;  // directions that are tried at once
+constexpr int rounds = 3;       // each looks closer at where the one before found weight
+constexpr double wrong = 0.01;  // share of samples that belong to the other side of the edge
 
 using Histogram = std::array<double, bins>;
-
-Eigen::Vector2d unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
-
-/// Turn from b to a, modulo a right angle, [-pi/4, pi/4).
-double quarter_difference(double a, double b) {
-  double d = std::fmod(a - b, 0.5 * pi);
-  if (d >= 0.25 * pi) d -= 0.5 * pi;
-  if (d < -0.25 * pi) d += 0.5 * pi;
-  return d;
-}
-
-double trust(EdgeKind kind) {
-  // Shadows have straight edges too, but in the direction of what throws them.
-  return kind == EdgeKind::true_edge || kind == EdgeKind::unknown ? 1.0 : 0.2;
-}
-
-/// Direction modulo a right angle that most of the outline has.
-double main_direction(const std::vector<OutlineEdge>& edges) {
-  double best = 0.0;
-  double best_score = -1.0;
-  const auto angle_of = [](const OutlineEdge& e) {
-    return std::atan2(e.to.y() - e.from.y(), e.to.x() - e.from.x());
-  };
-  const auto blur = [](const OutlineEdge& e, double length) {
-    return std::max(radians(2.0), e.gap / length);
-  };
-  for (const OutlineEdge& candidate : edges) {
-    const double length = (candidate.to - candidate.from).norm();
-    if (length < 2.0 * candidate.gap || length == 0.0) continue;
-    double score = 0.0;
-    for (const OutlineEdge& e : edges) {
-      const double l = (e.to - e.from).norm();
-      if (l == 0.0) continue;
-      const double z = quarter_difference(angle_of(e), angle_of(candidate)) / blur(e, l);
-      if (std::abs(z) < 1.0) score += trust(e.kind) * l * (1.0 - z * z);
-    }
-    // The longest edge knows the direction best.
-    score *= 1.0 + 0.1 * trust(candidate.kind) * length / (length + 10.0 * candidate.gap);
-    if (score > best_score) {
-      best_score = score;
-      best = angle_of(candidate);
-    }
-  }
-  // An edge of length l with errors of size g at its ends knows its direction to about g / l;
-  // weights are lengths to the third, for the number of samples along it grows with l as well.
-  double sum = 0.0;
-  double weight = 0.0;
-  for (const OutlineEdge& e : edges) {
-    const double l = (e.to - e.from).norm();
-    const double d = quarter_difference(l > 0.0 ? angle_of(e) : best, best);
-    if (std::abs(d) > radians(5.0)) continue;
-    sum += trust(e.kind) * l * l * l * d;
-    weight += trust(e.kind) * l * l * l;
-  }
-  return quarter_difference(weight > 0.0 ? best + sum / weight : best, 0.0);
-}
-
-/// One of the four sides. Position is the distance from the middle along the outward normal.
-struct Side {
-  double turn = 0.0;  ///< of the outward normal against the main direction: 0, 90, 180, 270 degrees
-  double position = 0.0;         ///< [m] first guess
-  double gap = 0.0;              ///< [m] width of the uncertainty
-  double waver = 0.0;            ///< [m] rms of the raw outline about it
-  double low = 0.0, high = 0.0;  ///< [m] extent along the side
-  double support = 0.0;
-  bool censored = false;
-};
-
-/// [m2] of the outline that lies further out than a position along a direction (Green's theorem on
-/// the part of each edge beyond it).
-double area_beyond(const std::vector<OutlineEdge>& edges, const Eigen::Vector2d& normal,
-                   double position) {
-  const Eigen::Vector2d along(-normal.y(), normal.x());
-  double area = 0.0;
-  for (const OutlineEdge& e : edges) {
-    const double a = e.from.dot(normal) - position;
-    const double b = e.to.dot(normal) - position;
-    if (a <= 0.0 && b <= 0.0) continue;
-    const double t = (e.to - e.from).dot(along);
-    // Mean height of the edge above the line, over the share of it that is above.
-    const double share = a > 0.0 && b > 0.0 ? 1.0 : std::max(a, b) / std::abs(a - b);
-    area += t * share * 0.5 * (std::max(a, 0.0) + std::max(b, 0.0));
-  }
-  return std::max(0.0, area);
-}
-
-/// Position beyond which a share of the outline's area lies, between two positions.
-double position_of_share(const std::vector<OutlineEdge>& edges, const Eigen::Vector2d& normal,
-                         double inner, double outer, double share) {
-  const double wanted = share * area_beyond(edges, normal, inner);
-  double low = inner;
-  double high = outer;
-  for (int i = 0; i < 24; ++i) {
-    const double middle = 0.5 * (low + high);
-    (area_beyond(edges, normal, middle) > wanted ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
-/// Finds the first guess of a side: walking inwards from the outermost edge that faces this way
-/// until a tenth of the side is met.
-void guess_side(const std::vector<OutlineEdge>& edges, double direction, Side& side) {
-  const Eigen::Vector2d normal = unit(direction + side.turn);
-  const Eigen::Vector2d along(-normal.y(), normal.x());
-  struct Facing {
-    double position, length, gap, waver;
-    EdgeKind kind;
-  };
-  std::vector<Facing> facing;
-  double outermost = -1e300;
-  double innermost = 1e300;
-  side.low = 1e300;
-  side.high = -1e300;
-  for (const OutlineEdge& e : edges) {
-    const Eigen::Vector2d d = e.to - e.from;
-    const double length = d.norm();
-    outermost = std::max(outermost, e.from.dot(normal));
-    innermost = std::min(innermost, e.from.dot(normal));
-    side.low = std::min(side.low, e.from.dot(along));
-    side.high = std::max(side.high, e.from.dot(along));
-    const Eigen::Vector2d outward(d.y(), -d.x());
-    if (outward.dot(normal) > 0.85 * length)
-      facing.push_back({0.5 * (e.from + e.to).dot(normal), length, e.gap, e.waver, e.kind});
-  }
-  std::sort(facing.begin(), facing.end(), [](const Facing& a, const Facing& b) {
-    return a.position != b.position ? a.position > b.position : a.length > b.length;
-  });
-  const double extent = side.high - side.low;
-  double met = 0.0;
-  double met_real = 0.0;
-  std::size_t at = facing.size();
-  // Edges of shadows within the outline face this way too. What has much of the area beyond it is
-  // no side of it: then the side is where hardly anything is left, wherever its edge is.
-  const double much = position_of_share(edges, normal, innermost, outermost, most_beyond);
-  for (std::size_t i = 0; i < facing.size() && facing[i].position >= much; ++i) {
-    met += facing[i].length;
-    if (facing[i].kind == EdgeKind::true_edge) met_real += facing[i].length;
-    // The corner that looks out of a shadow is short, but a true edge of three samples is no
-    // accident.
-    if (met >= 0.1 * extent || met_real >= std::max(3.0 * facing[i].gap, 0.03 * extent)) {
-      at = i;
-      break;
-    }
-  }
-  if (at == facing.size()) {
-    side.position = position_of_share(edges, normal, innermost, outermost, hardly_anything);
-    side.censored = true;
-    return;
-  }
-  side.position = facing[at].position;
-  // All that lies along it within the wavering of the outline.
-  double sum = 0.0, weight = 0.0, real = 0.0;
-  const double reach = std::max(facing[at].gap, 0.01 * extent);
-  for (const Facing& f : facing) {
-    if (std::abs(f.position - facing[at].position) > reach) continue;
-    sum += f.length * f.position;
-    weight += f.length;
-    side.gap += f.length * f.gap;
-    side.waver += f.length * f.waver;
-    if (f.kind == EdgeKind::true_edge || f.kind == EdgeKind::unknown) real += f.length;
-  }
-  side.position = sum / weight;
-  side.gap /= weight;
-  side.waver /= weight;
-  side.support = std::min(1.0, extent > 0.0 ? real / extent : 0.0);
-  side.censored = real < 0.5 * weight;
-}
 
 /// A normal distribution over four sigma to either side of the middle.
 void normal_bins(Histogram& h) {
@@ -202,7 +34,7 @@ class SideLikelihood {
   SideLikelihood(const Side& side, double sigma, const RectangleEvidence& evidence,
                  const Eigen::Vector2d& middle, double direction)
       : sigma_(sigma) {
-    const Eigen::Vector2d normal = unit(direction + side.turn);
+    const Eigen::Vector2d normal = unit_vector(direction + side.turn);
     const Eigen::Vector2d along(-normal.y(), normal.x());
     const double band = 3.0 * side.gap;
     const double extent = side.high - side.low;
@@ -225,17 +57,23 @@ class SideLikelihood {
 
   [[nodiscard]] bool informed() const { return !inside_.empty() && !outside_.empty(); }
 
-  /// Positions start + (k + 1/2) step of the side, turned by `turn` [rad] against the main
-  /// direction.
-  double operator()(double turn, double start, double step, Histogram& likelihood) const {
+  /// To be called before positions are tried that lie `step` apart.
+  void set_step(double step) {
+    step_ = step;
     // ln P(found inside | the edge lies z bins further out), for z = -window .. window.
-    const int window = std::clamp(static_cast<int>(std::ceil(4.0 * sigma_ / step)), 0, bins);
-    std::array<double, 2 * bins + 1> soft{};
-    for (int z = -window; z <= window; ++z) {
+    window_ = std::clamp(static_cast<int>(std::ceil(4.0 * sigma_ / step)), 0, bins);
+    for (int z = -window_; z <= window_; ++z) {
       const double p =
           sigma_ > 0.0 ? normal_cdf(z * step / sigma_) : (z == 0 ? 0.5 : (z > 0 ? 1.0 : 0.0));
-      soft[static_cast<std::size_t>(z + window)] = std::log(wrong + (1.0 - 2.0 * wrong) * p);
+      soft_[static_cast<std::size_t>(z + window_)] = std::log(wrong + (1.0 - 2.0 * wrong) * p);
     }
+  }
+
+  /// Positions start + (k + 1/2) step of the side, turned by `turn` [rad] against the main
+  /// direction.
+  double operator()(double turn, double start, Histogram& likelihood) const {
+    const double step = step_;
+    const int window = window_;
     Histogram in{};
     Histogram out{};
     double in_far = 0.0;  // beyond the last bin: wrong for every position
@@ -256,8 +94,8 @@ class SideLikelihood {
       else if (x < bins)
         out[static_cast<std::size_t>(x)] += 1.0;
     }
-    const double bad = std::log(wrong);
-    const double good = std::log(1.0 - wrong);
+    static const double bad = std::log(wrong);
+    static const double good = std::log(1.0 - wrong);
     double in_total = in_far;
     double out_total = out_near;
     for (int k = 0; k < bins; ++k) {
@@ -285,18 +123,22 @@ class SideLikelihood {
       for (int j = first; j <= last; ++j) {
         const double i = in[static_cast<std::size_t>(j)];
         const double o = out[static_cast<std::size_t>(j)];
-        if (i > 0.0) sum += i * soft[static_cast<std::size_t>(k - j + window)];
-        if (o > 0.0) sum += o * soft[static_cast<std::size_t>(j - k + window)];
+        if (i > 0.0) sum += i * soft_[static_cast<std::size_t>(k - j + window)];
+        if (o > 0.0) sum += o * soft_[static_cast<std::size_t>(j - k + window)];
       }
       likelihood[static_cast<std::size_t>(k)] = sum;
       greatest = std::max(greatest, sum);
     }
-    for (double& l : likelihood) l = std::exp(l - greatest);
+    constexpr double nothing = -80.0;  // e^-80 beside 1 is lost in rounding
+    for (double& l : likelihood) l = l - greatest > nothing ? std::exp(l - greatest) : 0.0;
     return greatest;
   }
 
  private:
   double sigma_;
+  double step_ = 1.0;
+  int window_ = 0;
+  std::array<double, 2 * bins + 1> soft_{};
   std::vector<Eigen::Vector2d> inside_, outside_;  ///< (across, along) from the middle
 };
 
@@ -355,13 +197,13 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
     guess_side(evidence.edges, direction, sides[static_cast<std::size_t>(k)]);
   }
   // From the frame's origin to the middle of the first guess.
-  const Eigen::Vector2d u = unit(direction);
+  const Eigen::Vector2d u = unit_vector(direction);
   const Eigen::Vector2d v(-u.y(), u.x());
   const Eigen::Vector2d middle = 0.5 * (sides[0].position - sides[2].position) * u +
                                  0.5 * (sides[1].position - sides[3].position) * v;
-  for (Side& side : sides) side.position -= middle.dot(unit(direction + side.turn));
+  for (Side& side : sides) side.position -= middle.dot(unit_vector(direction + side.turn));
   for (std::size_t k = 0; k < 4; ++k) {  // a side is as long as its neighbours are apart
-    const Eigen::Vector2d normal = unit(direction + sides[k].turn);
+    const Eigen::Vector2d normal = unit_vector(direction + sides[k].turn);
     const double centre = middle.dot(Eigen::Vector2d(-normal.y(), normal.x()));
     sides[k].low = centre - sides[(k + 3) % 4].position;
     sides[k].high = centre + sides[(k + 1) % 4].position;
@@ -397,6 +239,7 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
   }
   double total = 0.0;
   for (int round = 0; round < rounds; ++round) {
+    for (std::size_t k = 0; k < 4; ++k) likelihoods[k].set_step(step[k]);
     double greatest = -1e300;
     for (int t = 0; t < directions; ++t) {
       Trial& trial = trials[static_cast<std::size_t>(t)];
@@ -408,7 +251,7 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
           normal_bins(h);
           continue;
         }
-        trial.weight += likelihoods[k](trial.turn, start[k], step[k], h);
+        trial.weight += likelihoods[k](trial.turn, start[k], h);
         double sum = 0.0;
         for (const double x : h) sum += x;
         for (double& x : h) x /= sum;
@@ -466,23 +309,26 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
     const double step_b = step[axis + 2];
     const double fine = std::min(step_a, step_b);
     std::vector<double> sum(static_cast<std::size_t>(bins * (step_a + step_b) / fine) + 2, 0.0);
+    // Of the two positions together, over all directions.
+    std::array<Histogram, bins> both{};
     for (const Trial& trial : trials) {
       if (trial.weight < 1e-4) continue;
       for (std::size_t i = 0; i < bins; ++i) {
         const double p = trial.weight * trial.side[axis][i];
         if (p < 1e-7) continue;
-        for (std::size_t j = 0; j < bins; ++j) {
-          const double x =
-              ((static_cast<double>(i) + 0.5) * step_a + (static_cast<double>(j) + 0.5) * step_b) /
-              fine;
-          sum[static_cast<std::size_t>(x)] += p * trial.side[axis + 2][j];
-        }
+        for (std::size_t j = 0; j < bins; ++j) both[i][j] += p * trial.side[axis + 2][j];
       }
+    }
+    for (std::size_t i = 0; i < bins; ++i) {
+      const double a = (static_cast<double>(i) + 0.5) * step_a / fine;
+      for (std::size_t j = 0; j < bins; ++j)
+        sum[static_cast<std::size_t>(a + (static_cast<double>(j) + 0.5) * step_b / fine)] +=
+            both[i][j];
     }
     size[axis] = summarize(sum, start[axis] + start[axis + 2], fine);
     size[axis].value = mean_position[axis] + mean_position[axis + 2];
     if (evidence.plane_variance) {
-      const Eigen::Vector2d outwards = unit(direction + mean_turn + sides[axis].turn);
+      const Eigen::Vector2d outwards = unit_vector(direction + mean_turn + sides[axis].turn);
       const double variance =
           evidence.plane_variance(middle - mean_position[axis + 2] * outwards,
                                   middle + mean_position[axis] * outwards, outwards);

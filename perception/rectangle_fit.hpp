@@ -6,17 +6,10 @@
 #include <functional>
 #include <vector>
 
+#include "perception/rectangle_sides.hpp"
 #include "perception/surface.hpp"
 
 namespace scanchor {
-
-/// A straight edge of the outline, region on its left.
-struct OutlineEdge {
-  Eigen::Vector2d from, to;  ///< [m]
-  EdgeKind kind = EdgeKind::unknown;
-  double gap = 0.0;    ///< [m] between the samples on its two sides
-  double waver = 0.0;  ///< [m] rms distance of the raw outline from the edge
-};
 
 struct RectangleEvidence {
   std::vector<Eigen::Vector2d>

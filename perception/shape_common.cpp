@@ -8,31 +8,35 @@
 
 namespace scanchor {
 
-FlatPoints flatten(const PointCloud& cloud, const Surface& surface) {
+FlatPoints flatten(const PointCloud& cloud, const Surface& surface,
+                   std::span<const std::uint32_t> ordered) {
   const Eigen::Isometry3d T_surface_cloud = surface.T_cloud_surface.inverse();
   const Eigen::Matrix<double, 2, 3> axes = T_surface_cloud.linear().topRows<2>();
   const Eigen::Vector3d origin = surface.T_cloud_surface.translation();
-  struct Entry {
-    double x, y;
-    std::uint32_t index;
-  };
-  std::vector<Entry> entries;
-  entries.reserve(surface.inliers.size());
-  for (const std::uint32_t i : surface.inliers) {
-    const Eigen::Vector2d p = axes * (cloud.points[i] - origin);
-    entries.push_back({p.x(), p.y(), i});
-  }
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    if (a.x != b.x) return a.x < b.x;
-    if (a.y != b.y) return a.y < b.y;
-    return a.index < b.index;
+  FlatPoints flat;
+  flat.points.reserve(ordered.size());
+  for (const std::uint32_t i : ordered) flat.points.emplace_back(axes * (cloud.points[i] - origin));
+  flat.order.assign(ordered.begin(), ordered.end());
+  return flat;
+}
+
+FlatPoints flatten(const PointCloud& cloud, const Surface& surface) {
+  const FlatPoints rows = flatten(cloud, surface, surface.inliers);
+  std::vector<std::uint32_t> order(rows.points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const Eigen::Vector2d& p = rows.points[a];
+    const Eigen::Vector2d& q = rows.points[b];
+    if (p.x() != q.x()) return p.x() < q.x();
+    if (p.y() != q.y()) return p.y() < q.y();
+    return rows.order[a] < rows.order[b];
   });
   FlatPoints flat;
-  flat.points.reserve(entries.size());
-  flat.order.reserve(entries.size());
-  for (const Entry& e : entries) {
-    flat.points.emplace_back(e.x, e.y);
-    flat.order.push_back(e.index);
+  flat.points.reserve(order.size());
+  flat.order.reserve(order.size());
+  for (const std::uint32_t k : order) {
+    flat.points.push_back(rows.points[k]);
+    flat.order.push_back(rows.order[k]);
   }
   return flat;
 }

@@ -2,6 +2,8 @@
 // What both methods do with the points of a plane before they differ.
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "cloud/point_cloud.hpp"
@@ -9,13 +11,17 @@
 
 namespace scanchor {
 
-/// The inliers in the frame of the surface, sorted by (x, y): the sequence of the cloud's points
+/// The inliers in the frame of the surface, in a sequence in which that of the cloud's points
 /// leaves no trace. `order[i]` is the index in the cloud of point i.
 struct FlatPoints {
   std::vector<Eigen::Vector2d> points;  ///< [m] dropped onto the plane along its normal
   std::vector<std::uint32_t> order;
 };
+/// Sorted by (x, y).
 FlatPoints flatten(const PointCloud& cloud, const Surface& surface);
+/// In the sequence given, which holds every inlier once.
+FlatPoints flatten(const PointCloud& cloud, const Surface& surface,
+                   std::span<const std::uint32_t> ordered);
 
 /// Eccentricity of the ellipse with the second moments of the points: sqrt(1 - l1 / l2), [0, 1).
 double ellipse_eccentricity(const std::vector<Eigen::Vector2d>& points);

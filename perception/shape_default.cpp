@@ -307,12 +307,16 @@ std::vector<Polygon> outline_polygons(const Outline& outline, std::vector<Outlin
 
 void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surfaces& all,
                    Surface& surface) {
-  const FlatPoints flat = flatten(cloud, surface);
+  const auto ordered =
+      view != nullptr ? view->plane_points(surface.id) : std::span<const std::uint32_t>{};
+  const FlatPoints flat = ordered.size() == surface.inliers.size()
+                              ? flatten(cloud, surface, ordered)
+                              : flatten(cloud, surface);
   surface.eccentricity = ellipse_eccentricity(flat.points);
   // 3.5 sigma: one point in two thousand of the surface's own lies farther from it.
   const double gate = 3.5 * std::max(all.noise_sigma, surface.plane.residual_sigma) + 1e-6;
   const RayPlane plane =
-      view != nullptr ? fit_along_rays(cloud, surface, view->sensor()) : RayPlane{};
+      view != nullptr ? fit_along_rays(cloud, surface, view->sensor(), ordered) : RayPlane{};
   const OutlineSamples samples =
       view != nullptr ? samples_with_view(cloud, *view, all, surface, plane.T_cloud_plane, gate)
                       : samples_without_view(flat, surface.T_cloud_surface);

@@ -20,7 +20,7 @@ double RayPlane::distance_variance(const Eigen::Vector3d& a, const Eigen::Vector
 }
 
 RayPlane fit_along_rays(const PointCloud& cloud, const Surface& surface,
-                        const Eigen::Vector3d& sensor) {
+                        const Eigen::Vector3d& sensor, std::span<const std::uint32_t> ordered) {
   RayPlane plane;
   plane.sensor = sensor;
   plane.T_cloud_plane = surface.T_cloud_surface;
@@ -36,37 +36,55 @@ RayPlane fit_along_rays(const PointCloud& cloud, const Surface& surface,
       (surface.plane.normal_covariance + across * across * normal * normal.transpose()) /
       (distance * distance);
 
-  // The sums must not depend on the order of the points: sorted by distance from the sensor, ties
-  // by coordinates.
-  std::vector<Eigen::Vector3d> rays;
+  // The sums must not depend on the order of the points.
+  struct Ray {
+    Eigen::Vector3d direction;
+    double range;
+  };
+  std::vector<Ray> rays;
   rays.reserve(surface.inliers.size());
-  for (const std::uint32_t i : surface.inliers) rays.push_back(cloud.points[i] - sensor);
-  std::sort(rays.begin(), rays.end(), [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-  });
+  const auto add = [&](const Eigen::Vector3d& x) {
+    const double range = x.norm();
+    rays.push_back({x / range, range});
+  };
+  if (ordered.size() == surface.inliers.size()) {
+    for (const std::uint32_t i : ordered) add(cloud.points[i] - sensor);
+  } else {
+    std::vector<Eigen::Vector3d> sorted;
+    sorted.reserve(surface.inliers.size());
+    for (const std::uint32_t i : surface.inliers) sorted.push_back(cloud.points[i] - sensor);
+    std::sort(sorted.begin(), sorted.end(), [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+      return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+    });
+    for (const Eigen::Vector3d& x : sorted) add(x);
+  }
   Eigen::Vector3d p = plane.p;
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   double squares = 0.0;
   constexpr double grazing =
       0.02;  // sine of about one degree: such rays have no say and a great weight
   for (int round = 0; round < 3; ++round) {
-    information.setZero();
-    Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
     squares = 0.0;
     std::size_t used = 0;
-    for (const Eigen::Vector3d& x : rays) {
-      const double range = x.norm();
-      const Eigen::Vector3d d = x / range;
-      const double facing = p.dot(d);
-      if (facing < grazing * p.norm()) continue;
+    const double least = grazing * p.norm();
+    // The six different entries of the information, summed apart from Eigen's nine.
+    double xx = 0.0, xy = 0.0, xz = 0.0, yy = 0.0, yz = 0.0, zz = 0.0;
+    double gx = 0.0, gy = 0.0, gz = 0.0;
+    for (const Ray& ray : rays) {
+      const Eigen::Vector3d& d = ray.direction;
+      const double facing = p.x() * d.x() + p.y() * d.y() + p.z() * d.z();
+      if (facing < least) continue;
       const double t = 1.0 / facing;
-      const double residual = range - t;  // dt/dp = -t^2 d
-      const Eigen::Vector3d j = -t * t * d;
-      information += j * j.transpose();
-      gradient += residual * j;
+      const double residual = ray.range - t;  // dt/dp = -t^2 d
+      const double w = -t * t;
+      const double jx = w * d.x(), jy = w * d.y(), jz = w * d.z();
+      xx += jx * jx, xy += jx * jy, xz += jx * jz, yy += jy * jy, yz += jy * jz, zz += jz * jz;
+      gx += residual * jx, gy += residual * jy, gz += residual * jz;
       squares += residual * residual;
       ++used;
     }
+    information << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+    const Eigen::Vector3d gradient(gx, gy, gz);
     if (used < 4) return plane;
     squares /= static_cast<double>(used - 3);
     const Eigen::LDLT<Eigen::Matrix3d> solver(information);

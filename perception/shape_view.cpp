@@ -73,6 +73,7 @@ ShapeView::ShapeView(const PointCloud& cloud, const Eigen::Vector3d& sensor,
     std::uint32_t face;
   };
   std::vector<Place> places(n);
+  directions_.resize(n);
   parallel_blocks(n, 16384, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Eigen::Vector3d d = cloud.points[i] - sensor;
@@ -80,6 +81,7 @@ ShapeView::ShapeView(const PointCloud& cloud, const Eigen::Vector3d& sensor,
         places[i].face = none;
         continue;
       }
+      directions_[i] = d.normalized();
       const CubePlace p = cube_place(d);
       places[i] = {static_cast<float>(p.u), static_cast<float>(p.v),
                    static_cast<std::uint32_t>(p.face)};
@@ -118,6 +120,31 @@ ShapeView::ShapeView(const PointCloud& cloud, const Eigen::Vector3d& sensor,
   std::vector<std::uint32_t> fill(begin_.begin(), begin_.end() - 1);
   for (std::size_t i = 0; i < n; ++i) {
     if (places[i].face != none) order_[fill[cell_of_point_[i]]++] = static_cast<std::uint32_t>(i);
+  }
+  parallel_blocks(cells, 8192, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      std::sort(order_.begin() + begin_[c], order_.begin() + begin_[c + 1],
+                [&](std::uint32_t a, std::uint32_t b) {
+                  const Eigen::Vector3d& p = cloud.points[a];
+                  const Eigen::Vector3d& q = cloud.points[b];
+                  if (p.x() != q.x()) return p.x() < q.x();
+                  if (p.y() != q.y()) return p.y() < q.y();
+                  return p.z() < q.z();
+                });
+    }
+  });
+  std::int32_t planes = 0;
+  for (const std::int32_t plane : plane_of_point) planes = std::max(planes, plane + 1);
+  plane_begin_.assign(static_cast<std::size_t>(planes) + 1, 0);
+  for (const std::uint32_t i : order_) {
+    if (plane_of_point[i] >= 0) ++plane_begin_[static_cast<std::size_t>(plane_of_point[i]) + 1];
+  }
+  for (std::size_t p = 1; p < plane_begin_.size(); ++p) plane_begin_[p] += plane_begin_[p - 1];
+  plane_order_.resize(plane_begin_.back());
+  fill.assign(plane_begin_.begin(), plane_begin_.end() - 1);
+  for (const std::uint32_t i : order_) {
+    if (plane_of_point[i] >= 0)
+      plane_order_[fill[static_cast<std::size_t>(plane_of_point[i])]++] = i;
   }
 }
 

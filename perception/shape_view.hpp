@@ -14,7 +14,7 @@
 namespace scanchor {
 
 /// Rays of one sensor position in the cells of a cube map. Immutable after construction.
-/// Independent of the order of the points, but for the order within a cell.
+/// Independent of the order of the points, but for the order of equal points.
 class ShapeView {
  public:
   /// owner of a cell that holds no ray, or rays of several planes.
@@ -33,13 +33,24 @@ class ShapeView {
   }
   /// Cell of a direction, which need not have length 1.
   [[nodiscard]] std::uint32_t cell_of(const Eigen::Vector3d& direction) const;
+  /// Unit vector from the sensor to a point of the cloud.
+  [[nodiscard]] const Eigen::Vector3d& direction(std::uint32_t point) const {
+    return directions_[point];
+  }
   /// Cell of a point of the cloud, cell_count() if it was left out.
   [[nodiscard]] std::uint32_t cell_of_point(std::uint32_t point) const {
     return cell_of_point_[point];
   }
   /// The plane that owns all rays of the cell, or `empty`, or `mixed`; -1: rays of no plane.
   [[nodiscard]] std::int32_t owner(std::uint32_t cell) const { return owner_[cell]; }
-  /// Indices of the points in a cell.
+  /// The points of a plane, cell by cell: a sequence without a trace of the order of the points, so
+  /// that sums over it have the same bits for any.
+  [[nodiscard]] std::span<const std::uint32_t> plane_points(std::int32_t plane) const {
+    const auto p = static_cast<std::size_t>(plane);
+    if (p + 1 >= plane_begin_.size()) return {};
+    return {plane_order_.data() + plane_begin_[p], plane_order_.data() + plane_begin_[p + 1]};
+  }
+  /// Indices of the points in a cell, by x, then y, then z.
   [[nodiscard]] std::span<const std::uint32_t> points(std::uint32_t cell) const {
     return {order_.data() + begin_[cell], order_.data() + begin_[cell + 1]};
   }
@@ -49,8 +60,10 @@ class ShapeView {
  private:
   Eigen::Vector3d sensor_;
   int side_ = 1;  ///< cells along an edge of the cube
+  std::vector<Eigen::Vector3d> directions_;
   std::vector<std::uint32_t> cell_of_point_;
   std::vector<std::uint32_t> begin_, order_;
+  std::vector<std::uint32_t> plane_begin_, plane_order_;
   std::vector<std::int32_t> owner_;
 };
 

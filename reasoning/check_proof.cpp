@@ -96,20 +96,45 @@ class Checker {
                 std::to_string(clauses.size()));
       return;
     }
-    for (std::size_t i = 0; i < clauses.size(); ++i) {
-      const auto& clause = clauses[i];
-      const auto& claim = entity.proof[i];
-      if (claim.text != clause_text(clause)) {
-        fault(id, claim.text, "is no clause of '" + class_name + "'");
-        continue;
-      }
-      if (!(claim.likelihood >= 0.0 && claim.likelihood <= 1.0))
-        fault(id, claim.text, "likelihood outside [0, 1]");
-      if (!clause.usually && claim.likelihood < gate)
-        fault(id, claim.text, "a required clause is below 0.05");
-      check_measurement(id, clause, claim);
-      for (const auto t : claim.targets) check_target(id, clause, claim, t);
+    for (std::size_t i = 0; i < clauses.size(); ++i)
+      check_clause(id, class_name, clauses[i], entity.proof[i], clauses[i].usually);
+  }
+
+  void check_clause(std::int32_t id, const std::string& class_name, const Clause& clause,
+                    const ProofClause& claim, bool usually) {
+    if (claim.text != clause_text(clause)) {
+      fault(id, claim.text, "is no clause of '" + class_name + "'");
+      return;
     }
+    if (!(claim.likelihood >= 0.0 && claim.likelihood <= 1.0))
+      fault(id, claim.text, "likelihood outside [0, 1]");
+    if (!usually && claim.likelihood < gate)
+      fault(id, claim.text, "a required clause is below 0.05");
+    check_measurement(id, clause, claim);
+    for (const auto t : claim.targets) check_target(id, clause, claim, t);
+    check_said_of_target(id, clause, claim, usually);
+  }
+
+  /// "that is ...": one proof a nested clause, of the target; the clause holds no better than they
+  /// do together.
+  void check_said_of_target(std::int32_t id, const Clause& clause, const ProofClause& claim,
+                            bool usually) {
+    if (claim.targets.empty() || clause.target_clauses.empty()) return;
+    if (claim.that_is.size() != clause.target_clauses.size()) {
+      fault(id, claim.text, "does not prove what it says of its target");
+      return;
+    }
+    const std::int32_t t = claim.targets.front();
+    if (t < 0 || static_cast<std::size_t>(t) >= labelling_.entities.size()) return;
+    double together = 1.0;
+    for (std::size_t i = 0; i < clause.target_clauses.size(); ++i) {
+      // A target that fails is named where the whole clause need not hold.
+      const bool may_fail = usually || clause.kind == ClauseKind::negation;
+      check_clause(t, clause.target, clause.target_clauses[i], claim.that_is[i], may_fail);
+      together *= claim.that_is[i].likelihood;
+    }
+    if (clause.kind == ClauseKind::relation && claim.likelihood > together + 1e-6)
+      fault(id, claim.text, "is likelier than what it says of its target");
   }
 
   void check_target(std::int32_t id, const Clause& clause, const ProofClause& claim,

@@ -51,6 +51,26 @@ std::string with_article(const std::string& noun) {
          noun;
 }
 
+void explain_clause(const ProofClause& clause, const std::string& indent,
+                    const std::set<std::int32_t>& done, std::vector<std::int32_t>& next,
+                    std::string& out) {
+  out += indent + clause.text + ": ";
+  if (!clause.unit.empty()) out += measurement(clause.measured, clause.sigma, clause.unit) + ", ";
+  out += verdict(clause.likelihood);
+  if (!clause.targets.empty()) {
+    out += " on";
+    for (const auto t : clause.targets) {
+      out += " " + std::to_string(t);
+      if (done.count(t) == 0 && std::find(next.begin(), next.end(), t) == next.end())
+        next.push_back(t);
+    }
+  } else if (!clause.target_class.empty() && clause.unit.empty()) {
+    out += ", there is no " + clause.target_class;
+  }
+  out += "\n";
+  for (const auto& nested : clause.that_is) explain_clause(nested, indent + "  ", done, next, out);
+}
+
 void explain_one(const Labelling& labelling, std::int32_t id, std::set<std::int32_t>& done,
                  std::vector<std::int32_t>& next, std::string& out) {
   const Entity& entity = entity_of(labelling, id);
@@ -75,22 +95,7 @@ void explain_one(const Labelling& labelling, std::int32_t id, std::set<std::int3
   }
   if (entity.whole >= 0) out += ", part of " + std::to_string(entity.whole);
   out += "\n";
-  for (const auto& clause : entity.proof) {
-    out += "  " + clause.text + ": ";
-    if (!clause.unit.empty()) out += measurement(clause.measured, clause.sigma, clause.unit) + ", ";
-    out += verdict(clause.likelihood);
-    if (!clause.targets.empty()) {
-      out += " on";
-      for (const auto t : clause.targets) {
-        out += " " + std::to_string(t);
-        if (done.count(t) == 0 && std::find(next.begin(), next.end(), t) == next.end())
-          next.push_back(t);
-      }
-    } else if (!clause.target_class.empty() && clause.unit.empty()) {
-      out += ", there is no " + clause.target_class;
-    }
-    out += "\n";
-  }
+  for (const auto& clause : entity.proof) explain_clause(clause, "  ", done, next, out);
 }
 
 /// Where the likelihood of a clause passes one half: the limit that is missed.
@@ -218,8 +223,6 @@ WhyNot why_not(const Surfaces& surfaces, const Ontology& ontology, const Labelli
     fail_usage("entity " + std::to_string(entity) + " is none of these surfaces",
                "label them anew");
   }
-  const Item& item = matcher.items()[entity];
-
   WhyNot answer;
   answer.holds = true;
   std::string table;
@@ -243,7 +246,26 @@ WhyNot why_not(const Surfaces& surfaces, const Ontology& ontology, const Labelli
     answer.unit = value.evidence.unit;
     if (value.target >= 0)
       answer.target = std::to_string(value.target) + " (" + clause.target + ")";
-    needed_value(clause, item, value, matcher.items(), around, answer);
+    // Where the target itself is what fails, the number to change is the target's.
+    const Clause* blamed = &clause;
+    ClauseValue blamed_value = value;
+    std::int32_t blamed_item = entity;
+    for (const auto& nested : clause.target_clauses) {
+      if (value.target < 0) break;
+      const ClauseValue of_target =
+          matcher.evaluate(ontology.find(clause.target), nested, value.target);
+      if (of_target.value >= 0.5) continue;
+      blamed = &nested;
+      blamed_value = of_target;
+      blamed_item = value.target;
+      answer.measured = of_target.evidence.measured;
+      answer.sigma = of_target.evidence.sigma;
+      answer.unit = of_target.evidence.unit;
+      answer.clause = clause_text(nested);
+      break;
+    }
+    needed_value(*blamed, matcher.items()[blamed_item], blamed_value, matcher.items(), around,
+                 answer);
     if (answer.unit.empty() && !clause.target.empty()) answer.target.clear();
   }
 

@@ -23,6 +23,7 @@ struct ProofClause {
   std::vector<std::int32_t>
       targets;               ///< entity ids that the clause was satisfied on (or failed on)
   std::string target_class;  ///< the class that the targets had to be of
+  std::vector<ProofClause> that_is;  ///< what the clause says of its target, held against it
 };
 
 struct ClassProbability {

@@ -17,6 +17,10 @@ Json clause_to_json(const ProofClause& clause) {
   }
   if (!clause.target_class.empty()) json["target_class"] = clause.target_class;
   if (!clause.targets.empty()) json["targets"] = clause.targets;
+  if (!clause.that_is.empty()) {
+    json["that_is"] = Json::array();
+    for (const auto& nested : clause.that_is) json["that_is"].push_back(clause_to_json(nested));
+  }
   return json;
 }
 
@@ -36,6 +40,11 @@ ProofClause clause_from_json(const JsonReader& reader) {
     for (std::size_t i = 0; i < targets.size(); ++i) {
       clause.targets.push_back(static_cast<std::int32_t>(targets.at(i).integer()));
     }
+  }
+  if (reader.has("that_is")) {
+    const auto nested = reader.at("that_is");
+    for (std::size_t i = 0; i < nested.size(); ++i)
+      clause.that_is.push_back(clause_from_json(nested.at(i)));
   }
   return clause;
 }

@@ -12,54 +12,6 @@ namespace scanchor {
 
 namespace {
 
-constexpr double extremum_tolerance = 0.10;  // [m] S18: within 10 cm of the 1st percentile
-constexpr double extremum_share = 0.01;
-
-/// Area that is there beyond doubt [m2]: a plane seen at a grazing angle through a gap has an
-/// outline of any size, and must not say where the room ends.
-double sure_area(const Item& item) {
-  return std::max(0.0, item.area.value - 2.0 * item.area.sigma);
-}
-
-struct Level {
-  double z, area;
-};
-
-/// Height below which the given share of the area lies; NAN without area.
-double percentile(std::vector<Level> levels, double share) {
-  double total = 0.0;
-  for (const auto& level : levels) total += level.area;
-  std::sort(levels.begin(), levels.end(), [](const Level& a, const Level& b) { return a.z < b.z; });
-  double below = 0.0;
-  for (const auto& level : levels) {
-    below += level.area;
-    if (below >= share * total) return level.z;
-  }
-  return levels.empty() ? NAN : levels.back().z;
-}
-
-/// Lowest (sign 1) or highest (-1) level of the scene. Floors and ceilings are level (S18): a wall
-/// whose outline runs out through a window must not move them. But where walls, most of them, go on
-/// beyond all that is level, the end of the walls is it: the floor was not seen, and the tops of
-/// desks are none.
-double end_level(const std::vector<Item>& items, const std::vector<Evidence>& horizontal,
-                 double sign) {
-  constexpr double beyond = 0.3;
-  std::vector<Level> flat;
-  std::vector<Level> upright;
-  for (const auto& item : items) {
-    const double area = sure_area(item);
-    if (!item.has_shape || area <= 0.0) continue;
-    const double level = horizontal[static_cast<std::size_t>(item.id)].likelihood;
-    if (level > 0.1) flat.push_back({sign * item.z, area * level});
-    if (level < 0.1) upright.push_back({sign > 0.0 ? item.z_low : -item.z_high, area});
-  }
-  const double of_flat = percentile(std::move(flat), extremum_share);
-  const double of_walls = percentile(std::move(upright), 0.5);
-  if (std::isnan(of_flat) && std::isnan(of_walls)) return 0.0;
-  return sign * (std::isnan(of_flat) || of_walls < of_flat - beyond ? of_walls : of_flat);
-}
-
 /// True where a relation that needs nearness is certainly 0, from the boxes alone. 1.5 m is beyond
 /// eight standard deviations of every default distance for things whose size is known to 10 cm;
 /// others are left to the relation itself.
@@ -137,23 +89,7 @@ Matcher::Matcher(const Ontology& ontology, std::vector<Item> items, const Surrou
   index_ = UnaryIndex(items_, horizontal_, vertical_);
   group_value_.assign(items_.size(), 0.0);
   cornered_.resize(items_.size());
-  low_level_ = end_level(items_, horizontal_, 1.0);
-  high_level_ = end_level(items_, horizontal_, -1.0);
-  double total = 0.0;
-  for (const auto& item : items_) {
-    if (!item.has_shape) continue;
-    if (sure_area(item) <= 0.0) continue;
-    middle_ += item.center * sure_area(item);
-    total += sure_area(item);
-    largest_.push_back(item.id);
-  }
-  if (total > 0.0) middle_ /= total;
-  std::sort(largest_.begin(), largest_.end(), [&](std::int32_t a, std::int32_t b) {
-    const double first = sure_area(items_[a]);
-    const double second = sure_area(items_[b]);
-    return first != second ? first > second : a < b;
-  });
-  if (largest_.size() > 256) largest_.resize(256);
+  extent_ = SceneExtent(items_, horizontal_);
 }
 
 int Matcher::target_class(const Clause& clause) const {
@@ -166,25 +102,6 @@ double Matcher::belief(int class_index, std::int32_t item) const {
   const auto at = std::lower_bound(list.begin(), list.end(), item,
                                    [](const Candidate& c, std::int32_t id) { return c.item < id; });
   return at != list.end() && at->item == item ? at->belief : 0.0;
-}
-
-double Matcher::outside_share(std::int32_t id) const {
-  const Item& a = items_[id];
-  Eigen::Vector3d inwards = a.normal;
-  if (inwards.dot(middle_ - a.center) < 0.0) inwards = -inwards;
-  double behind = 0.0;
-  double total = 0.0;
-  for (const auto other : largest_) {
-    const Item& b = items_[other];
-    const double d = inwards.dot(b.center - a.center);
-    const double half = std::abs(inwards.dot(b.along)) * b.half_length +
-                        std::abs(inwards.dot(b.across)) * b.half_width;
-    const double reach = std::max(half, 1e-3);
-    behind +=
-        sure_area(b) * std::clamp((-extremum_tolerance - (d - reach)) / (2.0 * reach), 0.0, 1.0);
-    total += sure_area(b);
-  }
-  return total > 0.0 ? behind / total : 0.0;
 }
 
 const Evidence& Matcher::corner_of(std::int32_t id) const {
@@ -218,22 +135,9 @@ ClauseValue Matcher::evaluate_unary(const Clause& clause, std::int32_t id) const
       evidence = {group_value_[id], static_cast<double>(item.members.size()), 0.0, "1"};
       break;
     case ClauseKind::extremum: {
-      if (!item.has_shape) break;
-      const double reach = (item.center - middle_).head<2>().norm();
-      const double sigma = std::hypot(item.z_sigma, around_.up_sigma * reach);
-      const double s = std::hypot(sigma, 0.02);
-      if (clause.extremum == Extremum::lowest) {
-        const double over = item.z - low_level_;
-        evidence = {upper_likelihood(over, extremum_tolerance, s), over, sigma, "m"};
-      } else if (clause.extremum == Extremum::highest) {
-        const double under = high_level_ - item.z;
-        evidence = {upper_likelihood(under, extremum_tolerance, s), under, sigma, "m"};
-      } else if (clause.extremum == Extremum::cornered) {
-        evidence = corner_of(id);
-      } else if (clause.extremum == Extremum::outermost) {
-        const double share = outside_share(id);
-        evidence = {upper_likelihood(share, 0.02, 0.01), share, 0.0, "1"};
-      }
+      evidence = clause.extremum == Extremum::cornered
+                     ? corner_of(id)
+                     : extent_.extremum(clause.extremum, item, around_);
       break;
     }
     default:
@@ -269,6 +173,8 @@ ClauseValue Matcher::evaluate_relation(const Clause& clause, std::int32_t id) co
       product *= evidence.likelihood;
       if (clause.kind == ClauseKind::relation && target.belief * product < best.value) break;
     }
+    if (!clause.target_clauses.empty() && product > 0.0)
+      product *= restriction(clause, target.item);
     none *= 1.0 - target.belief * product;
     const double value = target.belief * product;
     const double distance = (a.center - b.center).squaredNorm();
@@ -288,6 +194,19 @@ ClauseValue Matcher::evaluate_relation(const Clause& clause, std::int32_t id) co
     best.value = seen * none + (1.0 - seen) * 0.5;
   }
   return best;
+}
+
+double Matcher::restriction(const Clause& clause, std::int32_t target) const {
+  // Of one clause and one target it is the same for every subject.
+  const auto known = restrictions_.find({&clause, target});
+  if (running_ && known != restrictions_.end()) return known->second;
+  double product = 1.0;
+  for (const auto& nested : clause.target_clauses) {
+    product *= evaluate(target_class(clause), nested, target).value;
+    if (product <= 0.0) break;
+  }
+  if (running_) restrictions_.emplace(std::make_pair(&clause, target), product);
+  return product;
 }
 
 ClauseValue Matcher::evaluate_largest(int class_index, std::int32_t id) const {
@@ -431,10 +350,12 @@ void Matcher::evaluate_context(int class_index) {
 }
 
 void Matcher::run() {
+  running_ = true;
   for (const int c : evaluation_order(ontology_)) evaluate_class(c);
   // Context looks at the beliefs of the first pass only: no support of oneself, and the order of
   // classes does not matter.
   for (std::size_t c = 0; c < clauses_.size(); ++c) evaluate_context(static_cast<int>(c));
+  running_ = false;
 }
 
 }  // namespace scanchor

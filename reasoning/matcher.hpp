@@ -2,6 +2,7 @@
 // From items and descriptions to beliefs: candidates by their own features, then relations in the
 // order of need, then groups.
 
+#include <map>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -10,6 +11,7 @@
 #include "reasoning/item.hpp"
 #include "reasoning/ontology.hpp"
 #include "reasoning/relation.hpp"
+#include "reasoning/scene_extent.hpp"
 #include "reasoning/unary_index.hpp"
 
 namespace scanchor {
@@ -78,6 +80,7 @@ class Matcher {
   };
   [[nodiscard]] ClauseValue evaluate_unary(const Clause& clause, std::int32_t item) const;
   [[nodiscard]] ClauseValue evaluate_relation(const Clause& clause, std::int32_t item) const;
+  [[nodiscard]] double restriction(const Clause& clause, std::int32_t target) const;
   [[nodiscard]] int target_class(const Clause& clause) const;
   [[nodiscard]] ClauseValue evaluate_largest(int class_index, std::int32_t item) const;
   [[nodiscard]] const Evidence& corner_of(std::int32_t item) const;
@@ -85,7 +88,6 @@ class Matcher {
   void evaluate_context(int class_index);
   std::vector<std::int32_t> find_groups(const Clause& clause);
   void publish(int class_index);
-  [[nodiscard]] double outside_share(std::int32_t item) const;
 
   const Ontology& ontology_;
   std::vector<Item> items_;
@@ -99,11 +101,11 @@ class Matcher {
   std::vector<std::vector<Target>> targets_;                   ///< of a class, falling belief
   std::vector<Evidence> horizontal_, vertical_, rectangular_;  ///< of each surface
   mutable std::vector<std::optional<Evidence>> cornered_;      ///< of each item, once asked for
+  mutable std::map<std::pair<const Clause*, std::int32_t>, double>
+      restrictions_;  ///< of own clauses and their targets, kept while running
+  bool running_ = false;
   std::vector<double> group_value_;  ///< P(enough members) of each item, groups only
-  double low_level_ = 0.0,
-         high_level_ = 0.0;  ///< [m] the 1st and 99th percentile of observed area over height
-  Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();
-  std::vector<std::int32_t> largest_;  ///< items that "outermost" looks at
+  SceneExtent extent_;
 };
 
 }  // namespace scanchor

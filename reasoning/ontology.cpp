@@ -1,7 +1,6 @@
 #include "reasoning/ontology.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <functional>
 #include <map>
 
@@ -23,31 +22,7 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, error);
 }
 
-/// Folders of $SCANCHOR_ONTOLOGIES, separated by ':'.
-std::vector<fs::path> own_folders() {
-  std::vector<fs::path> folders;
-  const char* variable = std::getenv("SCANCHOR_ONTOLOGIES");
-  const std::string list = variable != nullptr ? variable : "";
-  for (std::size_t begin = 0; begin < list.size();) {
-    const std::size_t end = std::min(list.find(':', begin), list.size());
-    if (end > begin) folders.emplace_back(list.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return folders;
-}
-
-std::vector<std::string> known_ontologies() {
-  auto names = list_data_files("ontologies", ".sdl");
-  for (const auto& folder : own_folders()) {
-    std::error_code error;
-    for (const auto& entry : fs::directory_iterator(folder, error)) {
-      if (entry.path().extension() == ".sdl") names.push_back(entry.path().stem().string());
-    }
-  }
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
-  return names;
-}
+std::vector<std::string> known_ontologies() { return list_data_files("ontologies", ".sdl"); }
 
 /// First place where the name leads to a file; empty: none.
 fs::path locate(const std::string& name, const fs::path& beside) {
@@ -55,16 +30,12 @@ fs::path locate(const std::string& name, const fs::path& beside) {
   for (const auto* suffix : {"", ".sdl"}) {
     if (!beside.empty()) tries.push_back(beside / (name + suffix));
     tries.emplace_back(name + suffix);
-    for (const auto& folder : own_folders()) tries.push_back(folder / (name + suffix));
   }
   for (const auto& path : tries) {
     if (is_file(path)) return path;
   }
-  const auto installed = list_data_files("ontologies", ".sdl");
-  if (std::find(installed.begin(), installed.end(), name) != installed.end()) {
-    return find_data_file("ontologies", name, ".sdl");
-  }
-  return {};
+  const std::string stem = name.ends_with(".sdl") ? name.substr(0, name.size() - 4) : name;
+  return look_up_data_file("ontologies", stem, ".sdl").value_or(fs::path());
 }
 
 struct SourceFile {
@@ -132,9 +103,13 @@ void resolve(Ontology& ontology, const std::vector<SourceFile>& sources) {
     };
     if (!description.parent.empty()) refer(description.parent, description.place, false);
     if (!description.part_of.empty()) refer(description.part_of, description.place, false);
-    for (auto& clause : description.clauses) {
+    const std::function<void(Clause&)> refer_all = [&](Clause& clause) {
       if (!clause.target.empty())
         refer(clause.target, clause.place, clause.kind == ClauseKind::group);
+      for (auto& nested : clause.target_clauses) refer_all(nested);
+    };
+    for (auto& clause : description.clauses) {
+      refer_all(clause);
       if (description.axiom && !clause.target.empty()) {
         fail(description.file, clause.place,
              "an axiom depends on no other class, '" + clause_text(clause) + "' does",
@@ -231,9 +206,12 @@ std::vector<int> evaluation_order(const Ontology& ontology) {
   for (int c = 0; c < count; ++c) {
     const auto& description = ontology.classes[c];
     if (!description.parent.empty()) needs[c].push_back(ontology.find(description.parent));
+    const std::function<void(const Clause&)> add_targets = [&](const Clause& clause) {
+      if (!clause.target.empty()) needs[c].push_back(ontology.find(clause.target));
+      for (const auto& nested : clause.target_clauses) add_targets(nested);
+    };
     for (const auto& clause : description.clauses) {
-      if (!clause.usually && !clause.target.empty())
-        needs[c].push_back(ontology.find(clause.target));
+      if (!clause.usually) add_targets(clause);
     }
   }
   // Tarjan's strongly connected components come out with what is needed first (Tarjan, SIAM J.

@@ -103,7 +103,8 @@ struct Clause {
   std::vector<RelationTerm> relations;  ///< conjunction on one shared target
   std::string
       target;  ///< class name of the target, of the forbidden target, or of a group's members
-  int count_low = 0;                                 ///< group: at least so many members
+  std::vector<Clause> target_clauses;  ///< "that is ...": what the target has to be besides
+  int count_low = 0;                   ///< group: at least so many members
   int count_high = std::numeric_limits<int>::max();  ///< group: at most so many
   std::vector<RelationTerm> pairwise;                ///< group: for each pair of members
   // Learned on training scenes (`scanchor fit`), negative: the documented default of the kind.
@@ -161,9 +162,8 @@ Ontology read_ontology(const std::filesystem::path& path);
 /// The same from text; `file` names it in messages, and imports are looked up beside it.
 Ontology parse_ontology(const std::string& text, const std::string& file);
 
-/// A path, or a name such as "office" that is looked up in $SCANCHOR_ONTOLOGIES, the folders the
-/// build knows and the share folder beside the command. Throws Error(bad_data) that lists what
-/// there is.
+/// A path, or a name such as "office" that is looked up as core/data_folder.hpp says. Throws
+/// Error(bad_data) that lists what there is.
 Ontology find_ontology(const std::string& name_or_path);
 
 /// Classes in an order in which every class comes behind those it needs (indices into `classes`).

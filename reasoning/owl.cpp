@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <set>
 
 #include "reasoning/sdl_words.hpp"
@@ -71,6 +72,17 @@ std::string data_range(const Range& range) {
   return "[ a rdfs:Datatype ; owl:onDatatype xsd:double ; owl:withRestrictions (" + facets + " ) ]";
 }
 
+std::string restriction(const Clause& clause, std::size_t order);
+
+/// The class, or what it has in common with all that is said of the target.
+std::string target_expression(const Clause& clause) {
+  if (clause.target_clauses.empty()) return ":" + local_name(clause.target);
+  std::string all = "[ a owl:Class ; owl:intersectionOf ( :" + local_name(clause.target);
+  for (std::size_t i = 0; i < clause.target_clauses.size(); ++i)
+    all += " " + restriction(clause.target_clauses[i], i);
+  return all + " ) ]";
+}
+
 std::string restriction(const Clause& clause, std::size_t order) {
   std::string body = "a owl:Restriction ; ";
   switch (clause.kind) {
@@ -79,14 +91,14 @@ std::string restriction(const Clause& clause, std::size_t order) {
               data_range(clause.range);
       break;
     case ClauseKind::relation:
-      body += "owl:onProperty sdl:" + property_of(clause.relations) +
-              " ; owl:someValuesFrom :" + local_name(clause.target);
+      body += "owl:onProperty sdl:" + property_of(clause.relations) + " ; owl:someValuesFrom " +
+              target_expression(clause);
       break;
     case ClauseKind::negation:
       // "no such target" is a maximum of none.
       body += "owl:onProperty sdl:" + property_of(clause.relations) +
-              " ; owl:maxQualifiedCardinality \"0\"^^xsd:nonNegativeInteger ; owl:onClass :" +
-              local_name(clause.target);
+              " ; owl:maxQualifiedCardinality \"0\"^^xsd:nonNegativeInteger ; owl:onClass " +
+              target_expression(clause);
       break;
     case ClauseKind::group:
       body += "owl:onProperty sdl:hasMember ; owl:minQualifiedCardinality \"" +
@@ -133,15 +145,17 @@ std::string ontology_to_turtle(const Ontology& ontology) {
   }
   // Conjunctions on one shared target: a property below each of its parts.
   std::set<std::string> declared;
+  const std::function<void(const Clause&)> declare = [&](const Clause& clause) {
+    for (const auto& nested : clause.target_clauses) declare(nested);
+    if (clause.relations.size() < 2 || !declared.insert(property_of(clause.relations)).second)
+      return;
+    out += "sdl:" + property_of(clause.relations) + " a owl:ObjectProperty";
+    for (const auto& term : clause.relations)
+      out += " ; rdfs:subPropertyOf sdl:" + camel(relation_words(term.relation));
+    out += " .\n";
+  };
   for (const auto& description : ontology.classes) {
-    for (const auto& clause : description.clauses) {
-      if (clause.relations.size() < 2 || !declared.insert(property_of(clause.relations)).second)
-        continue;
-      out += "sdl:" + property_of(clause.relations) + " a owl:ObjectProperty";
-      for (const auto& term : clause.relations)
-        out += " ; rdfs:subPropertyOf sdl:" + camel(relation_words(term.relation));
-      out += " .\n";
-    }
+    for (const auto& clause : description.clauses) declare(clause);
   }
   for (std::size_t c = 0; c < ontology.classes.size(); ++c) {
     const auto& description = ontology.classes[c];

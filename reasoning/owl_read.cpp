@@ -125,13 +125,41 @@ class Back {
     for (const auto& word : relation_vocabulary()) {
       if (squeezed(std::string(word.words)) != property || target.empty()) continue;
       const bool none = text_of(graph_, node, owl_space + "maxQualifiedCardinality") == "0";
-      return (none ? "not " : "") + std::string(word.words) + " a " + class_name(target);
+      return (none ? "not " : "") + std::string(word.words) + " a " + target_words(target);
     }
     fail_data(file_, "restriction on " + (property.empty() ? node : property),
               "cannot be said in a class file");
   }
 
  private:
+  /// A class, or "class that is ..." of an intersection of one class with restrictions.
+  std::string target_words(const std::string& node) const {
+    std::string list = text_of(graph_, node, owl_space + "intersectionOf");
+    if (list.empty()) return class_name(node);
+    std::string named;
+    std::string said;
+    for (int guard = 0; guard < 64 && !list.empty() && list != rdf_space + "nil"; ++guard) {
+      const std::string member = text_of(graph_, list, rdf_space + "first");
+      const bool is_restriction = !text_of(graph_, member, owl_space + "onProperty").empty();
+      if (is_restriction) {
+        std::string words = clause(member);
+        // What is said of a target further in goes into brackets, or the next words would be its.
+        const auto inner = words.find(" that ");
+        if (inner != std::string::npos && words.find('(') == std::string::npos)
+          words = words.substr(0, inner) + " (" + words.substr(inner + 1) + ")";
+        said += (said.empty() ? " that is " : " and ") + words;
+      } else if (named.empty()) {
+        named = class_name(member);
+      } else {
+        fail_data(file_, "intersection with " + named, "of two named classes cannot be said",
+                  "describe a class of its own");
+      }
+      list = text_of(graph_, list, rdf_space + "rest");
+    }
+    if (named.empty()) fail_data(file_, "intersection", "names no class");
+    return named + said;
+  }
+
   static std::string squeezed(const std::string& words) {
     std::string name;
     bool up = false;

@@ -128,6 +128,8 @@ class PaperMatcher {
         if (i == 0 || e.likelihood < weakest.likelihood) weakest = e;
         product = chained(e.likelihood, product);
       }
+      for (const auto& nested : clause.target_clauses)
+        product *= said_of_target(target_class, nested, static_cast<std::int32_t>(t));
       none *= 1.0 - product;
       if (targets.empty() || product > best) {
         best = product;
@@ -136,6 +138,23 @@ class PaperMatcher {
       }
     }
     return clause.kind == ClauseKind::negation ? none : best;
+  }
+
+  double said_of_target(int class_index, const Clause& clause, std::int32_t id) const {
+    Evidence evidence;
+    std::vector<std::int32_t> targets;
+    switch (clause.kind) {
+      case ClauseKind::feature:
+        evidence = feature(clause.feature, clause.range, items[id]);
+        return std::max(0.0, 1.0 - miss(evidence.measured, clause.range));
+      case ClauseKind::rectangular:
+        return items[id].rectangularness.value;
+      case ClauseKind::relation:
+      case ClauseKind::negation:
+        return related(clause, id, evidence, targets);
+      default:
+        return unary(class_index, clause, id, evidence);
+    }
   }
 
   double unary(int class_index, const Clause& clause, std::int32_t id, Evidence& evidence) const {

@@ -59,19 +59,26 @@ class Linter {
 
   void contradictions(int c) {
     const auto& description = ontology_.classes[c];
-    const auto clauses = all_clauses(ontology_, c);
-    const auto ranges = intervals(clauses);
-    const auto impossible = [&](const std::string& why, SourcePlace place) {
-      add("contradiction", description, place,
-          "class '" + description.name() + "' can never hold: " + why);
+    if (excluded(description, all_clauses(ontology_, c), "class '" + description.name() + "'",
+                 description.place))
       dead_.insert(c);
+  }
+
+  /// Reports the first reason why nothing can satisfy all these clauses; `what` names them.
+  bool excluded(const ClassDescription& description, const std::vector<Clause>& clauses,
+                const std::string& what, SourcePlace fallback) {
+    const auto ranges = intervals(clauses);
+    bool found = false;
+    const auto impossible = [&](const std::string& why, SourcePlace place) {
+      add("contradiction", description, place, what + " can never hold: " + why);
+      found = true;
     };
     for (const auto& [feature, interval] : ranges) {
       if (interval.low <= interval.high) continue;
       impossible(feature_word(feature) + " would have to be at least " + number_text(interval.low) +
                      " and at most " + number_text(interval.high),
-                 place_of(clauses, feature, description.place));
-      return;
+                 place_of(clauses, feature, fallback));
+      return true;
     }
     const double area = ranges.at(Feature::area).low;
     const double extension = ranges.at(Feature::extension).high;
@@ -79,13 +86,12 @@ class Linter {
     if (area > extension * width) {
       impossible("area at least " + number_text(area) + " m2 does not fit into sides of at most " +
                      number_text(extension) + " x " + number_text(width) + " m",
-                 place_of(clauses, Feature::area, description.place));
-      return;
+                 place_of(clauses, Feature::area, fallback));
+      return true;
     }
     if (ranges.at(Feature::width).low > extension) {
-      impossible("width is never above extension",
-                 place_of(clauses, Feature::width, description.place));
-      return;
+      impossible("width is never above extension", place_of(clauses, Feature::width, fallback));
+      return true;
     }
     const auto has = [&](ClauseKind kind) {
       return std::any_of(clauses.begin(), clauses.end(), [&](const Clause& x) {
@@ -93,18 +99,16 @@ class Linter {
       });
     };
     if (has(ClauseKind::horizontal) && has(ClauseKind::vertical)) {
-      impossible("horizontal and vertical", description.place);
-      return;
+      impossible("horizontal and vertical", fallback);
+      return true;
     }
     for (const auto& clause : clauses) {
       if (clause.usually || clause.target.empty() || clause.kind == ClauseKind::negation) continue;
       const int target = ontology_.find(clause.target);
       if (dead_.count(target) != 0) {
         add("never grounded", description, clause.place,
-            "class '" + description.name() + "' needs '" + clause.target +
-                "', which can never hold");
-        dead_.insert(c);
-        return;
+            what + " needs '" + clause.target + "', which can never hold");
+        return true;
       }
       std::set<Relation> relations;
       for (const auto& term : clause.relations) relations.insert(term.relation);
@@ -116,9 +120,15 @@ class Linter {
           both(Relation::left_of, Relation::right_of) ||
           both(Relation::in_front_of, Relation::behind)) {
         impossible("'" + clause_text(clause) + "' excludes itself", clause.place);
-        return;
+        return true;
       }
+      if (clause.target_clauses.empty()) continue;
+      auto together = all_clauses(ontology_, target);
+      together.insert(together.end(), clause.target_clauses.begin(), clause.target_clauses.end());
+      if (excluded(description, together, "'" + clause_text(clause) + "'", clause.place))
+        return true;
     }
+    return found;
   }
 
   static SourcePlace place_of(const std::vector<Clause>& clauses, Feature feature,
@@ -148,6 +158,7 @@ class Linter {
                 "' says nothing beyond the other clauses");
       }
     }
+    for (const auto& clause : description.clauses) said_of_target_already(description, clause);
     for (std::size_t i = 0; i < clauses.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         if (clauses[i].kind != ClauseKind::feature &&
@@ -157,6 +168,21 @@ class Linter {
                   "' is said twice");
         }
       }
+    }
+  }
+
+  /// "near a desk that is horizontal" where every desk is.
+  void said_of_target_already(const ClassDescription& description, const Clause& clause) {
+    if (clause.target_clauses.empty()) return;
+    const auto known = all_clauses(ontology_, ontology_.find(clause.target));
+    for (const auto& nested : clause.target_clauses) {
+      for (const auto& other : known) {
+        if (!other.usually && clause_text(other) == clause_text(nested)) {
+          add("always true", description, nested.place,
+              "every '" + clause.target + "' is required to be '" + clause_text(nested) + "'");
+        }
+      }
+      said_of_target_already(description, nested);
     }
   }
 

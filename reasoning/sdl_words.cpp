@@ -152,6 +152,30 @@ std::string joined(const std::vector<RelationTerm>& terms) {
   return text;
 }
 
+/// "that is horizontal", but "that has area over 1 m2".
+bool takes_has(const Clause& clause) {
+  if (clause.kind == ClauseKind::feature) return true;
+  if (clause.kind != ClauseKind::relation) return false;
+  const Relation first = clause.relations.front().relation;
+  return first == Relation::elevation || first == Relation::bottom || first == Relation::top;
+}
+
+/// " that is horizontal and near a window"; in brackets where another clause of an outer list
+/// follows, which would else be read as said of this target.
+std::string that_is_text(const std::vector<Clause>& clauses) {
+  std::string text;
+  for (std::size_t i = 0; i < clauses.size(); ++i) {
+    Clause head = clauses[i];
+    head.target_clauses.clear();
+    const std::string inner = that_is_text(clauses[i].target_clauses);
+    const std::string verb = takes_has(clauses[i]) ? "has " : "is ";
+    const bool same_verb = i > 0 && takes_has(clauses[i]) == takes_has(clauses[i - 1]);
+    text += (i == 0 ? " that " + verb : same_verb ? " and " : " and " + verb) + clause_text(head);
+    if (!inner.empty()) text += i + 1 < clauses.size() ? " (" + inner.substr(1) + ")" : inner;
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string clause_text(const Clause& clause) {
@@ -170,9 +194,11 @@ std::string clause_text(const Clause& clause) {
     case ClauseKind::extremum:
       return text + extremum_word(clause.extremum);
     case ClauseKind::relation:
-      return text + joined(clause.relations) + " " + article(clause.target);
+      return text + joined(clause.relations) + " " + article(clause.target) +
+             that_is_text(clause.target_clauses);
     case ClauseKind::negation:
-      return text + "not " + joined(clause.relations) + " " + article(clause.target);
+      return text + "not " + joined(clause.relations) + " " + article(clause.target) +
+             that_is_text(clause.target_clauses);
     case ClauseKind::group: {
       const bool open = clause.count_high == std::numeric_limits<int>::max();
       if (open) {

@@ -47,5 +47,18 @@ TEST_F(DataFolder, AMissingNameIsOneLineWithTheNearestName) {
   EXPECT_THROW(find_data_file("words", "nowhere/office.sdl", ".sdl"), Error);
 }
 
+TEST_F(DataFolder, FoldersOfAVariableComeFirst) {
+  make_folder(folder_ / "own");
+  write_file(folder_ / "own" / "office.sdl", "y");
+  write_file(folder_ / "own" / "mine.sdl", "y");
+  ::setenv("SCANCHOR_WORDS", (":/nowhere:" + (folder_ / "own").string()).c_str(), 1);
+  EXPECT_EQ(look_up_data_file("words", "office", ".sdl"), folder_ / "own" / "office.sdl");
+  EXPECT_EQ(look_up_data_file("words", "storage", ".sdl"), folder_ / "words" / "storage.sdl");
+  EXPECT_EQ(look_up_data_file("words", "absent", ".sdl"), std::nullopt);
+  EXPECT_EQ(list_data_files("words", ".sdl"),
+            (std::vector<std::string>{"mine", "office", "storage"}));
+  ::unsetenv("SCANCHOR_WORDS");
+}
+
 }  // namespace
 }  // namespace scanchor

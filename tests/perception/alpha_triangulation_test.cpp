@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 
@@ -58,6 +59,37 @@ TEST(Triangulation, DuplicatesAndLinesAreNoTrouble) {
   EXPECT_TRUE(delaunay({{1, 1}, {1, 1}, {1, 1}, {1, 1}}).triangles.empty());
   EXPECT_TRUE(delaunay({{0, 0}, {1, 1}, {2, 2}, {3, 3}}).triangles.empty());
   EXPECT_EQ(delaunay({{0, 0}, {0, 0}, {1, 0}, {0, 1}, {1, 0}}).triangles.size(), 1U);
+}
+
+TEST(Triangulation, HoldsEveryPointAndFillsTheHullOnHardInput) {
+  // Lattices (four on a circle), circles (all on one), points nearly on a line, rows of duplicates:
+  // n corners, h of them on the hull, make 2 n - h - 2 triangles, whose areas add up to the hull's.
+  SequentialRandom random(11);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<Eigen::Vector2d> points;
+    const int count = 4 + static_cast<int>(random.below(150));
+    for (int i = 0; i < count; ++i) {
+      Eigen::Vector2d p(random.uniform(), random.uniform());
+      if (round % 5 == 1) p = {std::floor(8 * p.x()), std::floor(8 * p.y()) / 3.0};
+      if (round % 5 == 2) p = {std::cos(6.3 * p.x()), std::sin(6.3 * p.x())};
+      if (round % 5 == 3 && i % 9 != 0) p.y() = 0.3 + 1e-15 * p.x();
+      if (round % 5 == 4 && i % 3 == 2) p = points[static_cast<std::size_t>(i) / 2];
+      points.push_back(p);
+    }
+    const Triangulation mesh = delaunay(points);
+    std::set<std::uint32_t> corners;
+    std::size_t hull = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      corners.insert(mesh.triangles[t].begin(), mesh.triangles[t].end());
+      hull += static_cast<std::size_t>(
+          std::count(mesh.neighbours[t].begin(), mesh.neighbours[t].end(), -1));
+    }
+    std::set<std::pair<double, double>> places;
+    for (const auto& p : points) places.emplace(p.x(), p.y());
+    if (mesh.triangles.empty()) continue;  // all on one line
+    EXPECT_EQ(corners.size(), places.size()) << "round " << round;
+    EXPECT_EQ(mesh.triangles.size(), 2 * places.size() - hull - 2) << "round " << round;
+  }
 }
 
 TEST(Triangulation, APermutationOfALatticeGivesTheSameTriangles) {

@@ -64,7 +64,8 @@ struct TwoBoards {
 
 TEST(ConnectPlanes, AViewThroughMakesTwo) {
   TwoBoards scene(0.25, false, true);
-  connect_planes(scene.cloud, scene.noise, 20, scene.labels);
+  connect_planes(scene.cloud, BeamGrid(scene.cloud, scene.noise.sensor), scene.noise, 20,
+                 scene.labels);
   EXPECT_EQ(scene.labels_of(0).size(), 1U);
   EXPECT_EQ(scene.labels_of(1).size(), 1U);
   EXPECT_NE(scene.labels_of(0), scene.labels_of(1));
@@ -74,7 +75,8 @@ TEST(ConnectPlanes, AViewThroughMakesTwo) {
 TEST(ConnectPlanes, AShadowLeavesOne) {
   for (const bool one_label : {true, false}) {
     TwoBoards scene(0.25, true, one_label);
-    connect_planes(scene.cloud, scene.noise, 20, scene.labels);
+    connect_planes(scene.cloud, BeamGrid(scene.cloud, scene.noise.sensor), scene.noise, 20,
+                   scene.labels);
     EXPECT_EQ(scene.labels_of(0).size(), 1U) << one_label;
     EXPECT_EQ(scene.labels_of(0), scene.labels_of(1)) << one_label;
   }
@@ -82,7 +84,8 @@ TEST(ConnectPlanes, AShadowLeavesOne) {
 
 TEST(ConnectPlanes, TwoThingsInOnePlaneStayTwo) {
   TwoBoards scene(0.25, false, false);
-  connect_planes(scene.cloud, scene.noise, 20, scene.labels);
+  connect_planes(scene.cloud, BeamGrid(scene.cloud, scene.noise.sensor), scene.noise, 20,
+                 scene.labels);
   EXPECT_NE(scene.labels_of(0), scene.labels_of(1));
 }
 
@@ -94,7 +97,8 @@ TEST(ConnectPlanes, AStrayPointInThePlaneLosesItsLabel) {
   };
   while (scene.truth[stray] != 2 || beside_the_middle(stray) > 0.05) ++stray;
   scene.labels.of_point[stray] = 0;
-  connect_planes(scene.cloud, scene.noise, 20, scene.labels);
+  connect_planes(scene.cloud, BeamGrid(scene.cloud, scene.noise.sensor), scene.noise, 20,
+                 scene.labels);
   EXPECT_EQ(scene.labels.of_point[stray], -1);
 }
 

@@ -41,6 +41,33 @@ TEST(ShapeView, HoldsEveryFinitePointOnce) {
   EXPECT_EQ(view.cell_of_point(8), view.cell_count());
 }
 
+TEST(ShapeView, PointsOfAPlaneComeInTheSameSequenceForAnyOrder) {
+  SequentialRandom random(5);
+  PointCloud cloud;
+  std::vector<std::int32_t> plane;
+  for (int i = 0; i < 3000; ++i) {
+    cloud.points.emplace_back(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(1, 3));
+    plane.push_back(i % 4 - 1);
+  }
+  PointCloud other = cloud;
+  std::reverse(other.points.begin(), other.points.end());
+  std::vector<std::int32_t> other_plane(plane.rbegin(), plane.rend());
+  const ShapeView a(cloud, {0, 0, 0}, plane);
+  const ShapeView b(other, {0, 0, 0}, other_plane);
+  for (int p = 0; p < 3; ++p) {
+    const auto left = a.plane_points(p);
+    const auto right = b.plane_points(p);
+    ASSERT_EQ(left.size(), 750U);
+    ASSERT_EQ(right.size(), left.size());
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      EXPECT_EQ(plane[left[i]], p);
+      EXPECT_EQ(cloud.points[left[i]], other.points[right[i]]);
+      EXPECT_NEAR((a.direction(left[i]) - cloud.points[left[i]].normalized()).norm(), 0.0, 1e-15);
+    }
+  }
+  EXPECT_TRUE(a.plane_points(3).empty());
+}
+
 TEST(ShapeView, NeighbourCellsHoldTheNeighbourDirectionsAlsoAcrossTheCube) {
   const PointCloud cloud = all_around(20000, 2, Eigen::Vector3d::Zero());
   const ShapeView view(cloud, Eigen::Vector3d::Zero(), std::vector<std::int32_t>(cloud.size(), -1));

@@ -55,5 +55,27 @@ TEST_F(CheckProof, FindsWhatWasForged) {
   EXPECT_EQ(check_proof(surfaces, ontology, labelling, 999).size(), 1U);
 }
 
+TEST(CheckProofOfTargets, WhatIsSaidOfATargetIsProvedToo) {
+  const Ontology ontology = parse_ontology(
+      "axiom floor:\n    lowest\n    area at least 4 m2\nclass desk:\n    area 0.9..1.7 m2\n"
+      "    parallel to a floor\nclass screen:\n    area 0.1..0.4 m2\n"
+      "    above a desk that is rectangular and has elevation 0.6..0.9 m above a floor\n",
+      "x.sdl");
+  const Surfaces surfaces = test::make_surfaces(test::paper_room());
+  const Labelling labelling = reason(surfaces, ontology, {});
+  ASSERT_EQ(labelling.entities[7].label, "screen");
+  ASSERT_EQ(labelling.entities[7].proof[1].that_is.size(), 2U);
+  EXPECT_NEAR(labelling.entities[7].proof[1].that_is[1].measured, 0.74, 0.01);
+  EXPECT_TRUE(check_proof(surfaces, ontology, labelling, 7).empty());
+  const auto forged = [&](auto change) {
+    Labelling other = labelling;
+    change(other.entities[7].proof[1]);
+    return check_proof(surfaces, ontology, other, 7).size();
+  };
+  EXPECT_GT(forged([](ProofClause& c) { c.that_is.pop_back(); }), 0U);
+  EXPECT_GT(forged([](ProofClause& c) { c.that_is[1].measured += 0.1; }), 0U);
+  EXPECT_GT(forged([](ProofClause& c) { c.that_is[0].likelihood = 0.5 * c.likelihood; }), 0U);
+}
+
 }  // namespace
 }  // namespace scanchor

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <tuple>
 
 #include "core/random.hpp"
 #include "reasoning/background.hpp"
@@ -65,11 +67,23 @@ class BruteForce {
     double best = 0.0;
     double none = 1.0;
     const int target = ontology_.find(clause.target);
+    const auto said_of = [&](std::size_t t) {
+      double product = 1.0;
+      for (const auto& nested : clause.target_clauses) {
+        // Every clause stands at a place of its own.
+        const auto key = std::make_tuple(nested.place.line, nested.place.column, t);
+        const auto known = said_.find(key);
+        product *= known != said_.end() ? known->second
+                                        : said_[key] = value(nested, static_cast<std::int32_t>(t));
+      }
+      return product;
+    };
     for (std::size_t t = 0; t < items_.size(); ++t) {
       if (static_cast<std::int32_t>(t) == i) continue;
       double product = belief_[target][t];
       for (const auto& term : clause.relations)
         product *= relate(term, a, items_[t], around_).likelihood;
+      product *= said_of(t);
       best = std::max(best, product);
       none *= 1.0 - product;
     }
@@ -80,6 +94,7 @@ class BruteForce {
   std::vector<Item> items_;
   Surrounding around_;
   std::vector<std::vector<double>> belief_, score_;
+  mutable std::map<std::tuple<int, int, std::size_t>, double> said_;
 };
 
 const char* const classes = R"(
@@ -103,6 +118,9 @@ class lid:
 class other:
     coplanar within 20 cm with a lid
     elevation 0.1..1 m above a top
+class shade:
+    below a top that is above a side and rectangular
+    not near a side that has extension at least 0.6 m and is near a top (that has width over 0.4 m) and is vertical
 class neighbour:
     within 0.6 m of a side
     touching a top
@@ -158,6 +176,30 @@ TEST(Matcher, EqualsBruteForceOnRandomScenes) {
     }
   }
   EXPECT_GT(compared, 5000U);
+}
+
+TEST(Matcher, WhatIsSaidOfTheTargetDecidesBetweenTargets) {
+  // Two tables, one of them near a window. A box stands on the other one: moved over, it is found.
+  const Ontology ontology = parse_ontology(
+      "axiom window:\n    vertical\nclass table:\n    horizontal\n    extension at least 1 m\n"
+      "class box:\n    extension at most 0.5 m\n    on a table that is near a window\n",
+      "x.sdl");
+  std::vector<test::Plate> plates = {{{0, 0, 0.7}, {0, 0, 1}, {1, 0, 0}, 1.4, 0.7},
+                                     {{5, 0, 0.7}, {0, 0, 1}, {1, 0, 0}, 1.4, 0.7},
+                                     {{5, 0.5, 1.2}, {0, 1, 0}, {1, 0, 0}, 1.2, 1.0},
+                                     {{0, 0, 0.72}, {0, 0, 1}, {1, 0, 0}, 0.4, 0.3}};
+  const auto belief_of_box = [&] {
+    Matcher matcher(ontology, make_items(test::make_surfaces(plates), Eigen::Matrix3d::Identity()),
+                    {});
+    matcher.run();
+    return matcher.belief(2, 3);
+  };
+  EXPECT_EQ(belief_of_box(), 0.0);
+  plates[3].center.x() = 5.0;
+  EXPECT_GT(belief_of_box(), 0.2);
+  plates[2].center.x() = 0.0;
+  plates[2].center.y() = 0.5;
+  EXPECT_EQ(belief_of_box(), 0.0) << "the window moved to the other table";
 }
 
 TEST(Matcher, ContextDoesNotSupportItself) {

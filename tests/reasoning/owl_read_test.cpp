@@ -34,6 +34,44 @@ TEST(OwlRead, RoundTripIsEqual) {
   }
 }
 
+const char* const nested = R"(
+class window:
+    vertical
+class table:
+    horizontal
+class box:
+    on and near a table that is near a window (that is rectangular) and has area over 1 m2
+    not below a window that is above a table
+)";
+
+TEST(OwlRead, RoundTripOfWhatIsSaidOfTargets) {
+  const auto ontology = parse_ontology(nested, "x.sdl");
+  const std::string turtle = ontology_to_turtle(ontology);
+  EXPECT_NE(turtle.find("owl:intersectionOf ( :table [ a owl:Restriction"), std::string::npos);
+  EXPECT_EQ(bare(ontology_from_turtle(turtle, "x.ttl")), bare(ontology));
+}
+
+TEST(OwlRead, IntersectionsWithoutOurAnnotationsAreUnderstood) {
+  // The same file as a tool would hand it back that drops annotations it does not know.
+  std::string turtle = ontology_to_turtle(parse_ontology(R"(
+class window:
+    vertical
+class table:
+    horizontal
+class box:
+    on a table that is near a window that is rectangular
+)",
+                                                         "x.sdl"));
+  for (auto at = turtle.find(";\n    sdl:words"); at != std::string::npos;
+       at = turtle.find(";\n    sdl:words")) {
+    turtle.erase(at, turtle.find(" ]", at) - at);
+  }
+  ASSERT_EQ(turtle.find("sdl:words \""), std::string::npos);
+  const auto back = ontology_from_turtle(turtle, "x.ttl");
+  EXPECT_EQ(clause_text(back.classes[2].clauses[0]),
+            "on a table that is near a window that is rectangular");
+}
+
 TEST(OwlRead, ReadsWhatOtherToolsWrite) {
   const auto ontology = ontology_from_turtle(R"(
 @prefix : <http://example.org/own#> .

@@ -39,6 +39,17 @@ class shelf, rack part of floor:  # head
   EXPECT_EQ(format_sdl(text, "x.sdl"), formatted);
 }
 
+TEST(SdlFormat, WhatIsSaidOfTargets) {
+  const std::string text =
+      "class a:\n  on the b that has extension over 1m and is near an c ( that is lowest ) and "
+      "horizontal\nclass b:\n  lowest\nclass c:\n  lowest\n";
+  const std::string line =
+      "    on a b that has extension over 1 m and is near a c (that is lowest) and horizontal\n";
+  const std::string once = format_sdl(text, "x.sdl");
+  EXPECT_NE(once.find(line), std::string::npos) << once;
+  EXPECT_EQ(format_sdl(once, "x.sdl"), once);
+}
+
 TEST(SdlFormat, IdempotentAndFaithfulOnWhatIsShipped) {
   for (const std::string name : {"paper", "office", "home", "storage"}) {
     const std::string path = std::string(SCANCHOR_SOURCE_DIR) + "/ontologies/" + name + ".sdl";

@@ -33,6 +33,18 @@ TEST(SdlLint, FindsEachRule) {
             Rules{"part without relation"});
 }
 
+TEST(SdlLint, LooksAtWhatIsSaidOfTargets) {
+  const std::string base = "class a:\n    horizontal\n    extension 1..2 m\nclass b:\n    ";
+  EXPECT_EQ(rules(base + "on an a that is vertical\n"), Rules{"contradiction"});
+  EXPECT_EQ(rules(base + "on an a that has extension over 3 m\n"), Rules{"contradiction"});
+  EXPECT_EQ(rules(base + "on an a that is horizontal\n"), Rules{"always true"});
+  EXPECT_EQ(rules(base + "on an a that is rectangular\n"), Rules{});
+  EXPECT_EQ(
+      rules("class a:\n    horizontal\n    vertical\nclass c:\n    lowest\nclass b:\n    on a "
+            "c that is near an a\n"),
+      (Rules{"contradiction", "never grounded"}));
+}
+
 TEST(SdlLint, SilentOnWhatIsShipped) {
   for (const std::string name : {"paper", "office", "home", "storage"}) {
     const auto ontology =

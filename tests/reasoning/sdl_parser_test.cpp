@@ -110,6 +110,53 @@ TEST(SdlParser, ErrorsNamePlaceLineCaretAndRemedy) {
   has("", "describes no class");
 }
 
+TEST(SdlParser, ReadsWhatIsSaidOfATarget) {
+  const auto ontology = parse_ontology(
+      "class window:\n    vertical\nclass table:\n    horizontal\nclass box:\n"
+      "    on and near the table that is near a window (that is rectangular) and has area over 1 "
+      "m2 and not below a window\n",
+      "own.sdl");
+  const auto& clause = ontology.classes[2].clauses[0];
+  EXPECT_EQ(clause.relations.size(), 2U);
+  EXPECT_EQ(clause.target, "table");
+  ASSERT_EQ(clause.target_clauses.size(), 3U);
+  EXPECT_EQ(clause.target_clauses[0].target, "window");
+  ASSERT_EQ(clause.target_clauses[0].target_clauses.size(), 1U);
+  EXPECT_EQ(clause.target_clauses[0].target_clauses[0].kind, ClauseKind::rectangular);
+  EXPECT_EQ(clause.target_clauses[1].kind, ClauseKind::feature);
+  EXPECT_EQ(clause.target_clauses[2].kind, ClauseKind::negation);
+  EXPECT_EQ(clause_text(clause),
+            "on and near a table that is near a window (that is rectangular) and has area over 1 "
+            "m2 and is not below a window");
+  // Without brackets all goes to the class named last.
+  const auto greedy = parse_ontology(
+      "class window:\n    vertical\nclass box:\n"
+      "    near a window that is near a window that is rectangular and horizontal\n",
+      "own.sdl");
+  EXPECT_EQ(greedy.classes[1].clauses[0].target_clauses.size(), 1U);
+  EXPECT_EQ(greedy.classes[1].clauses[0].target_clauses[0].target_clauses.size(), 2U);
+}
+
+TEST(SdlParser, ErrorsBehindThatIs) {
+  const auto has = [&](const std::string& clause, const std::string& part) {
+    const std::string text = "class a:\n    lowest\nclass b:\n    " + clause + "\n";
+    EXPECT_NE(error_of(text).find(part), std::string::npos) << error_of(text);
+  };
+  has("on an a that is", "own.sdl:4:20: unknown clause ''");
+  has("on an a that is horizontl",
+      "own.sdl:4:21: unknown clause 'horizontl'; did you mean "
+      "'horizontal'?");
+  has("on an a that is near a c", "unknown class 'c'");
+  has("on an a that is usually lowest", "'usually' cannot stand behind 'that is'");
+  has("on an a (that is lowest", "the bracket is not closed");
+  has("on an a (lowest)", "a bracket behind a class goes on with 'that is ...'");
+  EXPECT_NE(error_of("class a:\n    on a b that is near a c\nclass b:\n    lowest\nclass c:\n   "
+                     " on an a\n")
+                .find("a needs c needs a"),
+            std::string::npos)
+      << "circles go through what is said of targets";
+}
+
 TEST(SdlParser, CirclesNameTheirClasses) {
   const std::string text = "class desk:\n    below a screen\nclass screen:\n    above a desk\n";
   const auto message = error_of(text);
