@@ -2,10 +2,35 @@
 
 #include <algorithm>
 
+#include "core/parallel.hpp"
+
 namespace scanchor {
 namespace {
 
 constexpr int shift_of(int level) { return 3 * (CanonicalCloud::levels - level); }
+
+// Appends the children of a cell; its `child` counts from the first of `children`.
+void divide(const CanonicalCloud& cloud, int level, Cell& cell, std::vector<Cell>& children) {
+  const int shift = shift_of(level);
+  const auto* const codes = cloud.code.data();
+  cell.child = static_cast<std::uint32_t>(children.size());
+  std::uint32_t begin = cell.begin;
+  while (begin < cell.end) {
+    const std::uint64_t prefix = codes[begin] >> shift;
+    const auto end =
+        static_cast<std::uint32_t>(std::upper_bound(codes + begin, codes + cell.end, prefix,
+                                                    [shift](std::uint64_t p, std::uint64_t code) {
+                                                      return p < code >> shift;
+                                                    }) -
+                                   codes);
+    Cell child{begin, end};
+    child.level = static_cast<std::uint8_t>(level);
+    children.push_back(child);
+    ++cell.children;
+    cell.octants |= static_cast<std::uint8_t>(1U << (prefix & 7U));
+    begin = end;
+  }
+}
 
 }  // namespace
 
@@ -15,40 +40,47 @@ CellTree cell_tree(const CanonicalCloud& cloud, std::uint32_t largest, double le
   if (n == 0) return tree;
   tree.cells.reserve(n / 2 + 16);
   tree.cells.push_back({0, n});
-  for (std::size_t i = 0; i < tree.cells.size(); ++i) {  // breadth first: the vector is the queue
-    const Cell cell = tree.cells[i];
-    if (cell.size() <= largest || cell.level == CanonicalCloud::levels) continue;
-    const int level = cell.level + 1;
-    if (cloud.cell_side(level) < least_side) continue;
-    const int shift = shift_of(level);
-    tree.cells[i].child = static_cast<std::uint32_t>(tree.cells.size());
-    std::uint32_t begin = cell.begin;
-    while (begin < cell.end) {
-      const std::uint64_t prefix = cloud.code[begin] >> shift;
-      const auto* const codes = cloud.code.data();
-      const auto end =
-          static_cast<std::uint32_t>(std::upper_bound(codes + begin, codes + cell.end, prefix,
-                                                      [shift](std::uint64_t p, std::uint64_t code) {
-                                                        return p < (code >> shift);
-                                                      }) -
-                                     codes);
-      Cell child{begin, end};
-      child.level = static_cast<std::uint8_t>(level);
-      tree.cells.push_back(child);
-      ++tree.cells[i].children;
-      tree.cells[i].octants |= static_cast<std::uint8_t>(1U << (prefix & 7U));
-      begin = end;
-    }
+  constexpr std::size_t block = 2048;
+  // Level by level; a block of parents finds its children, which are put together in order.
+  for (std::size_t from = 0, to = 1;
+       from < to && tree.cells[from].level < CanonicalCloud::levels;) {
+    const int level = tree.cells[from].level + 1;
+    if (cloud.cell_side(level) < least_side) break;
+    std::vector<std::vector<Cell>> found((to - from + block - 1) / block);
+    parallel_blocks(to - from, block, [&](std::size_t begin, std::size_t end) {
+      auto& children = found[begin / block];
+      for (std::size_t i = from + begin; i < from + end; ++i) {
+        if (tree.cells[i].size() > largest) divide(cloud, level, tree.cells[i], children);
+      }
+    });
+    std::vector<std::size_t> start(found.size() + 1, to);
+    for (std::size_t k = 0; k < found.size(); ++k) start[k + 1] = start[k] + found[k].size();
+    tree.cells.resize(start.back());
+    parallel_blocks(to - from, block, [&](std::size_t begin, std::size_t end) {
+      const auto& children = found[begin / block];
+      const std::size_t at = start[begin / block];
+      std::copy(children.begin(), children.end(),
+                tree.cells.begin() + static_cast<std::ptrdiff_t>(at));
+      for (std::size_t i = from + begin; i < from + end; ++i) {
+        if (tree.cells[i].children != 0) tree.cells[i].child += static_cast<std::uint32_t>(at);
+      }
+    });
+    from = to;
+    to = tree.cells.size();
   }
   tree.moments.resize(tree.cells.size());
+  parallel_blocks(tree.cells.size(), block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Cell& cell = tree.cells[i];
+      if (cell.children != 0) continue;
+      for (auto p = cell.begin; p < cell.end; ++p)
+        tree.moments[i].add(cloud.x[p], cloud.y[p], cloud.z[p]);
+    }
+  });
   for (std::size_t i = tree.cells.size(); i-- > 0;) {
     const Cell& cell = tree.cells[i];
-    Moments& sum = tree.moments[i];
-    if (cell.children == 0) {
-      for (auto p = cell.begin; p < cell.end; ++p) sum.add(cloud.x[p], cloud.y[p], cloud.z[p]);
-    } else {
-      for (std::uint32_t c = 0; c < cell.children; ++c) sum.add(tree.moments[cell.child + c]);
-    }
+    for (std::uint32_t c = 0; c < cell.children; ++c)
+      tree.moments[i].add(tree.moments[cell.child + c]);
   }
   return tree;
 }

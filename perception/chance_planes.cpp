@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/parallel.hpp"
+
 namespace scanchor {
 namespace {
 
@@ -85,48 +87,47 @@ double log_chance(double inside, double total, double share) {
   return -total * relative;
 }
 
-void drop_chance_planes(const CanonicalCloud& cloud, const CellTree& tree, PlaneLabels& labels) {
-  if (tree.cells.empty()) return;
-  const PlaneMembers members(labels);
-  std::vector<std::uint32_t> order(labels.planes.size()), open;
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](auto a, auto b) { return members[a].size() > members[b].size(); });
-  std::vector<char> explained(cloud.size(), 0);
-  const double trials = std::log(2.0 * static_cast<double>(tree.cells.size()));
-  for (const auto r : order) {
-    if (members[r].size() < 3) break;
-    const PlaneReach reach(labels.planes[r]);
-    const Footprint footprint(cloud, labels.planes[r], members[r]);
+namespace {
+
+class Judge {
+ public:
+  Judge(const CanonicalCloud& cloud, const CellTree& tree, const PlaneLabels& labels,
+        const PlaneMembers& members, const std::vector<std::uint32_t>& order)
+      : cloud_(cloud),
+        tree_(tree),
+        labels_(labels),
+        members_(members),
+        rank_(order.size()),
+        balls_(tree.cells.size()),
+        trials_(std::log(2.0 * static_cast<double>(tree.cells.size()))) {
+    for (std::uint32_t i = 0; i < order.size(); ++i) rank_[order[i]] = i;
+    parallel_blocks(balls_.size(), 4096, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) balls_[i] = ball_around(tree.cells[i]);
+    });
+  }
+
+  struct Verdict {
+    bool stands = false;
+    std::vector<std::int32_t> trusted;  // planes whose points were taken for explained
+  };
+
+  // Of plane r, if all larger ones that still have their points stand.
+  [[nodiscard]] Verdict judge(std::uint32_t r) const {
+    Verdict verdict;
+    const GrownPlane& grown = labels_.planes[r];
+    const PlaneReach reach(grown);
+    const Footprint footprint(cloud_, grown, members_[r]);
     const auto stride =
-        1 + static_cast<std::uint32_t>(static_cast<double>(members[r].size()) / enough);
+        1 + static_cast<std::uint32_t>(static_cast<double>(members_[r].size()) / enough);
     Profile wide, narrow;
     std::uint32_t leaves = 0;
-    open.assign(1, 0);
+    std::vector<std::uint32_t> open(1, 0);
     while (!open.empty()) {
-      const Cell& cell = tree.cells[open.back()];
+      const auto at = open.back();
+      const Cell& cell = tree_.cells[at];
       open.pop_back();
-      // The cube of the cell, from the code of its first point.
-      const float side = cloud.cell_side(cell.level);
-      const Eigen::Vector3f first = (cloud.point(cell.begin) - cloud.low) / side;
-      const Eigen::Vector3f middle = cloud.low + side * (first.cast<int>().cast<float>().array() +
-                                                         0.5F)  // a floor: none is negative
-                                                            .matrix();
-      const float radius = 0.8661F * side;
-      float widest = reach.least;
-      if (reach.height > 0.0F) {  // the nearest point decides; cells near the sensor are small
-        widest = std::max(widest, 2.0F * reach.scatter(cloud.inverse_range[cell.begin]));
-      }
-      if (cell.children != 0 && cell.size() > 64) {
-        // No point of the cell is nearer to the sensor than the first by more than its diagonal.
-        const float inverse = cloud.inverse_range[cell.begin],
-                    nearest = 1.0F - 2.0F * radius * inverse;
-        widest = nearest > 0.5F
-                     ? std::max(widest, 2.0F * reach.scatter(inverse / nearest))
-                     : std::max(widest, static_cast<float>(labels.planes[r].sigma) * 4.0F);
-      }
-      if (reach.distance(middle.x(), middle.y(), middle.z()) > 3.0F * thick * widest + radius ||
-          !footprint.near(middle, radius))
+      if (!may_reach(reach, grown, cell, balls_[at]) ||
+          !footprint.near(balls_[at].middle, balls_[at].radius))
         continue;
       if (cell.children != 0) {
         for (std::uint32_t c = 0; c < cell.children; ++c) open.push_back(cell.child + c);
@@ -134,26 +135,98 @@ void drop_chance_planes(const CanonicalCloud& cloud, const CellTree& tree, Plane
       }
       if (leaves++ % stride != 0) continue;
       for (auto p = cell.begin; p < cell.end; ++p) {
-        const bool own = labels.of_point[p] == static_cast<std::int32_t>(r);
-        if (!own && explained[p] != 0) continue;
-        const float away = reach.distance(cloud.x[p], cloud.y[p], cloud.z[p]) /
-                           (3.0F * reach.scatter(cloud.inverse_range[p]));
-        if (away > thick || !footprint.covers(cloud.point(p))) continue;
-        const bool above = reach.above(cloud.x[p], cloud.y[p], cloud.z[p]);
+        const auto label = labels_.of_point[p];
+        const bool own = label == static_cast<std::int32_t>(r);
+        if (!own && label >= 0 && rank_[static_cast<std::size_t>(label)] < rank_[r]) {
+          auto& trusted = verdict.trusted;
+          if (std::find(trusted.begin(), trusted.end(), label) == trusted.end())
+            trusted.push_back(label);
+          continue;
+        }
+        const float away = reach.distance(cloud_.x[p], cloud_.y[p], cloud_.z[p]) /
+                           (3.0F * reach.scatter(cloud_.inverse_range[p]));
+        if (away > thick || !footprint.covers(cloud_.point(p))) continue;
+        const bool above = reach.above(cloud_.x[p], cloud_.y[p], cloud_.z[p]);
         if (own || away > 1.0F) wide.count(own, above);
         if (away <= 0.5F * thick) narrow.count(away <= 0.5F, above);
       }
     }
     // The plane was moved to where its middle is fullest: one trial for each choice of three
     // points.
-    const double moved = 3.0 * std::log(static_cast<double>(members[r].size()));
-    const bool stands = wide.log_chance() < -trials || narrow.log_chance() < -trials - moved;
-    for (const auto p : members[r]) {
-      if (stands) {
-        explained[p] = 1;
-      } else {
-        labels.of_point[p] = -1;
+    const double moved = 3.0 * std::log(static_cast<double>(members_[r].size()));
+    verdict.stands = wide.log_chance() < -trials_ || narrow.log_chance() < -trials_ - moved;
+    return verdict;
+  }
+
+ private:
+  struct Ball {
+    Eigen::Vector3f middle;
+    float radius;
+  };
+  // Around the cube of the cell, from the place of its first point.
+  [[nodiscard]] Ball ball_around(const Cell& cell) const {
+    const float side = cloud_.cell_side(cell.level);
+    const Eigen::Array3f first = ((cloud_.point(cell.begin) - cloud_.low) / side).array();
+    // A floor: none is negative.
+    return {cloud_.low + side * (first.cast<int>().cast<float>() + 0.5F).matrix(), 0.8661F * side};
+  }
+  [[nodiscard]] bool may_reach(const PlaneReach& reach, const GrownPlane& grown, const Cell& cell,
+                               const Ball& ball) const {
+    const auto& m = ball.middle;
+    const float distance = reach.distance(m.x(), m.y(), m.z()) - ball.radius;
+    if (distance <= 3.0F * thick * reach.least) return true;
+    if (reach.height <= 0.0F) return false;
+    // The nearest point decides; cells near the sensor are small.
+    const float inverse = cloud_.inverse_range[cell.begin];
+    float widest = 2.0F * reach.scatter(inverse);
+    if (cell.children != 0 && cell.size() > 64) {
+      // No point of the cell is nearer to the sensor than the first by more than its diagonal.
+      const float nearest = 1.0F - 2.0F * ball.radius * inverse;
+      widest = nearest > 0.5F ? 2.0F * reach.scatter(inverse / nearest)
+                              : std::max(widest, static_cast<float>(grown.sigma) * 4.0F);
+    }
+    return distance <= 3.0F * thick * widest;
+  }
+
+  const CanonicalCloud& cloud_;
+  const CellTree& tree_;
+  const PlaneLabels& labels_;
+  const PlaneMembers& members_;
+  std::vector<std::uint32_t> rank_;  // by plane: how many are larger
+  std::vector<Ball> balls_;          // by cell
+  double trials_;
+};
+
+}  // namespace
+
+void drop_chance_planes(const CanonicalCloud& cloud, const CellTree& tree, PlaneLabels& labels) {
+  if (tree.cells.empty()) return;
+  const PlaneMembers members(labels);
+  std::vector<std::uint32_t> order(labels.planes.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](auto a, auto b) { return members[a].size() > members[b].size(); });
+  const Judge judge(cloud, tree, labels, members, order);
+  while (!order.empty() && members[order.back()].size() < 3) order.pop_back();
+  // Some at a time, as if each larger one stood, which most do; who trusted one that fell is judged
+  // again when its turn comes. So the verdicts are those of one plane after the other.
+  constexpr std::size_t at_a_time = 32;
+  std::vector<char> fell(labels.planes.size(), 0);
+  for (std::size_t from = 0; from < order.size(); from += at_a_time) {
+    const std::size_t count = std::min(at_a_time, order.size() - from);
+    std::array<Judge::Verdict, at_a_time> verdicts;
+    parallel_blocks(
+        count, 1, [&](std::size_t k, std::size_t) { verdicts[k] = judge.judge(order[from + k]); });
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto r = order[from + k];
+      for (const auto other : verdicts[k].trusted) {
+        if (fell[static_cast<std::size_t>(other)] == 0) continue;
+        verdicts[k] = judge.judge(r);
+        break;
       }
+      if (verdicts[k].stands) continue;
+      fell[r] = 1;
+      for (const auto p : members[r]) labels.of_point[p] = -1;
     }
   }
 }

@@ -4,19 +4,23 @@
 #include <cmath>
 #include <limits>
 
+#include "core/parallel.hpp"
+
 namespace scanchor {
 namespace {
 
 // Range of a point from the nearest sensor: in a merged cloud nobody says which sensor saw it.
 std::vector<float> ranges_of(const PointCloud& cloud, const std::vector<std::uint32_t>& index) {
   std::vector<float> ranges(index.size());
-  for (std::size_t k = 0; k < index.size(); ++k) {
-    double nearest2 = std::numeric_limits<double>::infinity();
-    for (const auto& pose : cloud.sensor_poses) {
-      nearest2 = std::min(nearest2, (cloud.points[index[k]] - pose.translation()).squaredNorm());
+  parallel_blocks(index.size(), 16384, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      double nearest2 = std::numeric_limits<double>::infinity();
+      for (const auto& pose : cloud.sensor_poses) {
+        nearest2 = std::min(nearest2, (cloud.points[index[k]] - pose.translation()).squaredNorm());
+      }
+      ranges[k] = static_cast<float>(std::sqrt(nearest2));
     }
-    ranges[k] = static_cast<float>(std::sqrt(nearest2));
-  }
+  });
   return ranges;
 }
 
