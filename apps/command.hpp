@@ -57,6 +57,8 @@ void add_label(CLI::App& root, ExitCodeSlot& code);
 void add_segment(CLI::App& root, ExitCodeSlot& code);
 void add_score(CLI::App& root, ExitCodeSlot& code);
 void add_explain(CLI::App& root, ExitCodeSlot& code);
+void add_find(CLI::App& root, ExitCodeSlot& code);
+void add_ontology(CLI::App& root, ExitCodeSlot& code);
 void add_render(CLI::App& root, ExitCodeSlot& code);
 void add_report(CLI::App& root, ExitCodeSlot& code);
 void add_figures(CLI::App& root, ExitCodeSlot& code);

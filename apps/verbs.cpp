@@ -9,6 +9,8 @@ void add_all_verbs(CLI::App& root, ExitCodeSlot& code) {
   add_segment(root, code);
   add_score(root, code);
   add_explain(root, code);
+  add_find(root, code);
+  add_ontology(root, code);
   add_render(root, code);
   add_report(root, code);
   add_figures(root, code);

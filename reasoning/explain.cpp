@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "reasoning/item.hpp"
+#include "reasoning/limits.hpp"
 #include "reasoning/matcher.hpp"
 #include "reasoning/sdl_words.hpp"
 
@@ -98,99 +99,26 @@ void explain_one(const Labelling& labelling, std::int32_t id, std::set<std::int3
   for (const auto& clause : entity.proof) explain_clause(clause, "  ", done, next, out);
 }
 
-/// Where the likelihood of a clause passes one half: the limit that is missed.
+/// The limit that is missed: where the likelihood of the clause passes one half.
 void needed_value(const Clause& clause, const Item& item, const ClauseValue& value,
                   const std::vector<Item>& items, const Surrounding& around, WhyNot& answer) {
-  const auto nearest_limit = [&](double low, double high) {
-    answer.needed = answer.measured < low ? low : high;
-    answer.has_needed =
-        std::isfinite(answer.needed) && (answer.measured < low || answer.measured > high);
-  };
-  switch (clause.kind) {
-    case ClauseKind::feature:
-      nearest_limit(clause.range.low, clause.range.high);
-      return;
-    case ClauseKind::rectangular:
-      nearest_limit(0.8, INFINITY);
-      return;
-    case ClauseKind::horizontal:
-      nearest_limit(-INFINITY, clause.range.has_high() ? clause.range.high : 5.0);
-      return;
-    case ClauseKind::vertical: {
-      const double tolerance = clause.range.has_high() ? clause.range.high : 5.0;
-      nearest_limit(90.0 - tolerance, 90.0 + tolerance);
-      return;
-    }
-    case ClauseKind::extremum:
-      if (clause.extremum == Extremum::outermost) nearest_limit(-INFINITY, 0.02);
-      if (clause.extremum == Extremum::cornered) nearest_limit(-INFINITY, 0.06);
-      if (clause.extremum == Extremum::lowest || clause.extremum == Extremum::highest)
-        nearest_limit(-INFINITY, 0.10);
-      return;
-    case ClauseKind::group:
-      nearest_limit(clause.count_low, clause.count_high);
-      return;
-    case ClauseKind::relation:
-      break;
-    case ClauseKind::negation:
-      return;
-  }
-  if (value.target < 0) return;
-  // The weakest relation of the conjunction is the one to mend.
-  const RelationTerm* weakest = nullptr;
-  double least = 2.0;
-  for (const auto& term : clause.relations) {
-    const double l = relate(term, item, items[value.target], around).likelihood;
-    if (l < least) {
+  Limits limits;
+  if (clause.kind == ClauseKind::relation) {
+    if (value.target < 0) return;
+    // The weakest relation of the conjunction is the one to mend.
+    double least = 2.0;
+    for (const auto& term : clause.relations) {
+      const double l = relate(term, item, items[value.target], around).likelihood;
+      if (l >= least) continue;
       least = l;
-      weakest = &term;
+      limits = limits_of(term);
     }
+  } else {
+    limits = limits_of(clause);
   }
-  if (weakest == nullptr) return;
-  switch (weakest->relation) {
-    case Relation::parallel:
-      nearest_limit(-INFINITY, 5.0);
-      break;
-    case Relation::orthogonal:
-      nearest_limit(85.0, 95.0);
-      break;
-    case Relation::above:
-    case Relation::below:
-      nearest_limit(-0.05, INFINITY);
-      break;
-    case Relation::on:
-    case Relation::supports:
-      nearest_limit(-0.03, 0.15);
-      break;
-    case Relation::inside:
-      nearest_limit(0.8, INFINITY);
-      break;
-    case Relation::near:
-      nearest_limit(-INFINITY, weakest->range.has_high() ? weakest->range.high : 0.5);
-      break;
-    case Relation::touching:
-      nearest_limit(-INFINITY, 0.05);
-      break;
-    case Relation::same_size:
-      nearest_limit(1.0 / 1.15, 1.15);
-      break;
-    case Relation::aligned:
-      nearest_limit(-INFINITY, 0.15);
-      break;
-    case Relation::stacked:
-      nearest_limit(0.6, INFINITY);
-      break;
-    case Relation::coplanar:
-      nearest_limit(-INFINITY, weakest->range.has_high() ? weakest->range.high : 0.03);
-      break;
-    case Relation::elevation:
-    case Relation::bottom:
-    case Relation::top:
-      nearest_limit(weakest->range.low, weakest->range.high);
-      break;
-    default:
-      break;
-  }
+  answer.needed = answer.measured < limits.low ? limits.low : limits.high;
+  answer.has_needed = std::isfinite(answer.needed) &&
+                      (answer.measured < limits.low || answer.measured > limits.high);
 }
 
 }  // namespace

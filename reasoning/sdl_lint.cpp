@@ -227,6 +227,25 @@ class Linter {
 
 std::vector<LintFinding> lint(const Ontology& ontology) { return Linter(ontology).run(); }
 
+std::string lint_explanation(const std::string& rule) {
+  static const std::map<std::string, std::string> explanations = {
+      {"contradiction",
+       "Two of these clauses exclude each other, those of parents and targets included, or a range "
+       "has no room: nothing will ever be found. Widen one of them."},
+      {"never grounded", "It asks for a class that is contradictory itself. Mend that one first."},
+      {"always true",
+       "Another clause implies it, or everything satisfies it: it costs time and tells nothing "
+       "apart. Leave it out."},
+      {"same description",
+       "No measurement can tell the two apart: every such thing will be ambiguous. Add a clause to "
+       "one, or make one a synonym."},
+      {"part without relation",
+       "A part is given to its whole by a relation to it, or by the whole's group: without one it "
+       "stays alone. Add one, such as 'touching a ...'."}};
+  const auto at = explanations.find(rule);
+  return at != explanations.end() ? at->second : "";
+}
+
 std::string lint_text(const LintFinding& finding) {
   return finding.file + ":" + std::to_string(finding.place.line) + ":" +
          std::to_string(finding.place.column) + ": " + finding.rule + ": " + finding.text;

@@ -18,13 +18,10 @@ struct LintFinding {
 
 /// All findings in the order of the classes. Circles of required clauses are already errors of the
 /// reader.
-///   contradiction          two clauses of a class exclude each other (its parents' included), or a
-///   range has no room within nature never grounded         a class needs another one that is
-///   contradictory itself always true            a clause that another one implies, or that holds
-///   for everything (area over 0 m2) same description       two classes with the same clauses: no
-///   measurement can tell them apart part without relation  a part that names no relation to its
-///   whole is never given to it
 std::vector<LintFinding> lint(const Ontology& ontology);
+
+/// What a rule means and what to do about it, in a sentence or two.
+std::string lint_explanation(const std::string& rule);
 
 /// "office.sdl:12:5: always true: ..."
 std::string lint_text(const LintFinding& finding);

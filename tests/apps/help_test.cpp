@@ -23,9 +23,18 @@ TEST_P(Help, HasAnExampleAndTheCommonFlags) {
 
 INSTANTIATE_TEST_SUITE_P(Verbs, Help,
                          testing::Values("run", "generate", "label", "segment", "score", "render",
-                                         "explain", "report", "figures", "gallery", "check",
+                                         "explain", "find", "report", "figures", "gallery", "check",
                                          "baseline", "sweep", "blame", "shrink"),
                          [](const auto& row) { return std::string(row.param); });
+
+TEST(Help, EachVerbOfOntologies) {
+  for (const std::string verb : {"format", "lint", "show", "convert"}) {
+    const auto ran = run_scanchor("ontology " + verb + " --help");
+    EXPECT_EQ(ran.code, 0);
+    EXPECT_NE(ran.out.find("scanchor ontology " + verb), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find("--json"), std::string::npos) << ran.out;
+  }
+}
 
 TEST(Help, VersionAndNoVerb) {
   EXPECT_EQ(run_scanchor("--version").out.rfind("scanchor ", 0), 0U);

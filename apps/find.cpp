@@ -1,0 +1,98 @@
+// scanchor find: a question in the words of the class files, put to a scan.
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "apps/scan_input.hpp"
+#include "core/file.hpp"
+#include "core/parallel.hpp"
+#include "reasoning/answer.hpp"
+#include "reasoning/ontology.hpp"
+
+namespace scanchor::apps {
+namespace fs = std::filesystem;
+namespace {
+
+struct Arguments : ScanArguments {
+  std::string question;
+};
+
+struct Labelled {
+  Surfaces surfaces;
+  Labelling labelling;
+};
+
+/// What label or run wrote: the folder, or the labels.json in it.
+bool read_labelled(const std::string& input, Labelled& scene) {
+  std::error_code error;
+  fs::path folder = input;
+  if (fs::path(input).filename() == "labels.json") folder = fs::path(input).parent_path();
+  if (!fs::is_directory(input, error) && fs::path(input).extension() != ".json") return false;
+  const fs::path labels =
+      fs::path(input).extension() == ".json" ? fs::path(input) : folder / "labels.json";
+  scene.labelling = labelling_from_json(read_json(labels), labels.string());
+  if (fs::path(input).extension() == ".json") folder = fs::path(input).parent_path();
+  scene.surfaces = read_surfaces(folder / "surfaces.json");
+  return true;
+}
+
+int exit_code(Answer::Status status) {
+  switch (status) {
+    case Answer::Status::ok:
+      return static_cast<int>(ExitCode::done);
+    case Answer::Status::not_found:
+      return static_cast<int>(ExitCode::nothing_measured);
+    default:
+      return static_cast<int>(ExitCode::inconclusive);
+  }
+}
+
+int run(Arguments& arguments, bool ontology_given) {
+  const ThreadLimit limit(arguments.common.threads);
+  Labelled scene;
+  const bool labelled = read_labelled(arguments.scan, scene);
+  const Ontology ontology =
+      find_ontology(labelled && !ontology_given ? scene.labelling.ontology : arguments.ontology);
+  const Query query = parse_query(arguments.question, ontology);
+  if (!labelled) {
+    const PointCloud cloud = load_scan(arguments);
+    scene.surfaces = perceive(cloud, arguments.perceive);
+    require_surfaces(arguments, cloud, scene.surfaces);
+    scene.labelling = reason(scene.surfaces, ontology, arguments.reason);
+  } else if (arguments.sensor != "auto" && arguments.sensor != "none") {
+    scene.surfaces.sensor_positions = {parse_vector(arguments.sensor, "--sensor")};
+  }
+  const SceneThings things(scene.surfaces, ontology, scene.labelling);
+  const Answer found = scanchor::answer(query, things);
+  answer(arguments.common, answer_to_json(found, things));
+  std::string text = answer_text(found, things);
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  say(arguments.common, text);
+  return exit_code(found.status);
+}
+
+}  // namespace
+
+void add_find(CLI::App& root, ExitCodeSlot& code) {
+  auto* verb = root.add_subcommand("find", "Ask a scan: what is where, how many, how far, and why");
+  verb->footer(
+      "Examples:\n"
+      "  scanchor find \"screen on a desk\" room.pcd\n"
+      "  scanchor find \"second board from the top of the shelf\" scanchor-room\n"
+      "  scanchor find \"how many chairs near a table\" scanchor-room --json\n"
+      "  scanchor find \"desk with no screen\" scanchor-room\n"
+      "  scanchor find \"the nearest cabinet that is left of a window\" scanchor-room\n"
+      "  scanchor find \"distance from the door to the nearest desk\" scanchor-room\n"
+      "SCAN may be what label or run wrote: it is not labelled again.\n"
+      "Exit codes: 0 answered, 4 not found, 5 ambiguous or not seen.");
+  auto arguments = std::make_shared<Arguments>();
+  verb->add_option("question", arguments->question, "In the words of the class files")
+      ->required()
+      ->type_name("TEXT");
+  add_scan_arguments(*verb, *arguments, true);
+  verb->callback(
+      [arguments, verb, &code] { code = run(*arguments, verb->count("--ontology") > 0); });
+}
+
+}  // namespace scanchor::apps
