@@ -271,9 +271,14 @@ std::vector<BoundarySegment> march(const Work& work, Outline& outline,
   }
   for (std::size_t s = 0; s < bounding.size(); ++s) {
     const OutlineSample& sample = work.input.samples[s];
-    if (work.kind[s] == SampleKind::inside && !sample.thinned)
+    if (work.kind[s] == SampleKind::inside && !sample.thinned) {
       outline.inside.push_back(sample.plane);
-    if (bounding[s] && sample.reachable) outline.beyond.push_back(sample.plane);
+      outline.inside_height.push_back(sample.height);
+    }
+    if (bounding[s] && sample.reachable) {
+      outline.beyond.push_back(sample.plane);
+      outline.beyond_height.push_back(sample.height);
+    }
   }
   return segments;
 }

@@ -24,8 +24,10 @@ struct Outline {
   std::vector<BoundaryRing>
       rings;  ///< by component: outer ring, then holes; specks of fewer than three samples left out
   std::vector<Eigen::Vector2d> inside;  ///< [m] samples on the surface but for those deep inside
+  std::vector<double> inside_height;    ///< [m] of each over the plane (OutlineSample::height)
   std::vector<Eigen::Vector2d>
-      beyond;            ///< [m] samples next to a true edge that are not on the surface
+      beyond;  ///< [m] samples next to a true edge that are not on the surface
+  std::vector<double> beyond_height;  ///< [m]
   double spacing = 0.0;  ///< median longest side of the triangles, in the samples' metric
 };
 

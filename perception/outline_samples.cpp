@@ -136,6 +136,7 @@ OutlineSamples samples_with_view(const PointCloud& cloud, const ShapeView& view,
     s.point = i;
     s.thinned = thinned[k] != 0;
     s.metric = R * view.direction(i);
+    s.height = side * p.z();
     const std::int32_t plane = surfaces.plane_of_point[i];
     const double t = -chart.sensor.z() / d.z();  // 1: the point itself lies in the plane
     s.reachable = t > 0.0 && std::isfinite(t);

@@ -29,7 +29,8 @@ struct OutlineSample {
   Eigen::Vector3d metric =
       Eigen::Vector3d::Zero();  ///< where distances between samples are measured: unit direction of
                                 ///< the ray, or (plane, 0)
-  std::uint32_t point = 0;      ///< index in the cloud
+  double height = 0.0;      ///< [m] of the point itself over the plane, positive towards the sensor
+  std::uint32_t point = 0;  ///< index in the cloud
   SampleKind kind = SampleKind::inside;
   bool reachable = true;  ///< false: the ray does not cross the plane (looks above its horizon);
                           ///< `plane` is not set

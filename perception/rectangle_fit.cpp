@@ -10,137 +10,18 @@
 namespace scanchor {
 namespace {
 
-constexpr int bins = 48;        // positions of a side that are tried at once
 constexpr int directions = 13;  // directions that are tried at once
 constexpr int rounds = 3;       // each looks closer at where the one before found weight
-constexpr double wrong = 0.01;  // share of samples that belong to the other side of the edge
-
-using Histogram = std::array<double, bins>;
 
 /// A normal distribution over four sigma to either side of the middle.
-void normal_bins(Histogram& h) {
+void normal_bins(SideHistogram& h) {
   double total = 0.0;
-  for (std::size_t b = 0; b < bins; ++b) {
-    const double z = 8.0 * (static_cast<double>(b) + 0.5) / bins - 4.0;
+  for (std::size_t b = 0; b < side_bins; ++b) {
+    const double z = 8.0 * (static_cast<double>(b) + 0.5) / side_bins - 4.0;
     total += h[b] = std::exp(-0.5 * z * z);
   }
   for (double& x : h) x /= total;
 }
-
-/// Likelihood of each position of a side at one direction, scaled to a greatest value of 1; returns
-/// the logarithm of that scale.
-class SideLikelihood {
- public:
-  SideLikelihood(const Side& side, double sigma, const RectangleEvidence& evidence,
-                 const Eigen::Vector2d& middle, double direction)
-      : sigma_(sigma) {
-    const Eigen::Vector2d normal = unit_vector(direction + side.turn);
-    const Eigen::Vector2d along(-normal.y(), normal.x());
-    const double band = 3.0 * side.gap;
-    const double extent = side.high - side.low;
-    const double margin = std::min(0.25 * extent, std::max(side.gap, 0.02 * extent));
-    const double centre = along.dot(middle);
-    const auto take = [&](const std::vector<Eigen::Vector2d>& from, double inwards,
-                          std::vector<Eigen::Vector2d>& to) {
-      for (const auto& p : from) {
-        const double t = p.dot(along);
-        if (t < side.low + margin || t > side.high - margin) continue;
-        const Eigen::Vector2d q = p - middle;
-        const double d = q.dot(normal);
-        if (d < side.position - inwards || d > side.position + band) continue;
-        to.push_back({d, t - centre});
-      }
-    };
-    take(evidence.inside, band, inside_);
-    take(evidence.outside, 1.25 * side.gap, outside_);
-  }
-
-  [[nodiscard]] bool informed() const { return !inside_.empty() && !outside_.empty(); }
-
-  /// To be called before positions are tried that lie `step` apart.
-  void set_step(double step) {
-    step_ = step;
-    // ln P(found inside | the edge lies z bins further out), for z = -window .. window.
-    window_ = std::clamp(static_cast<int>(std::ceil(4.0 * sigma_ / step)), 0, bins);
-    for (int z = -window_; z <= window_; ++z) {
-      const double p =
-          sigma_ > 0.0 ? normal_cdf(z * step / sigma_) : (z == 0 ? 0.5 : (z > 0 ? 1.0 : 0.0));
-      soft_[static_cast<std::size_t>(z + window_)] = std::log(wrong + (1.0 - 2.0 * wrong) * p);
-    }
-  }
-
-  /// Positions start + (k + 1/2) step of the side, turned by `turn` [rad] against the main
-  /// direction.
-  double operator()(double turn, double start, Histogram& likelihood) const {
-    const double step = step_;
-    const int window = window_;
-    Histogram in{};
-    Histogram out{};
-    double in_far = 0.0;  // beyond the last bin: wrong for every position
-    double out_near = 0.0;
-    const double c = std::cos(turn);
-    const double s = std::sin(turn);
-    for (const auto& p : inside_) {
-      const double x = (c * p.x() + s * p.y() - start) / step;
-      if (x >= bins)
-        in_far += 1.0;
-      else if (x >= 0.0)
-        in[static_cast<std::size_t>(x)] += 1.0;
-    }
-    for (const auto& p : outside_) {
-      const double x = (c * p.x() + s * p.y() - start) / step;
-      if (x < 0.0)
-        out_near += 1.0;
-      else if (x < bins)
-        out[static_cast<std::size_t>(x)] += 1.0;
-    }
-    static const double bad = std::log(wrong);
-    static const double good = std::log(1.0 - wrong);
-    double in_total = in_far;
-    double out_total = out_near;
-    for (int k = 0; k < bins; ++k) {
-      in_total += in[static_cast<std::size_t>(k)];
-      out_total += out[static_cast<std::size_t>(k)];
-    }
-    // Counts beyond the window by running sums, inside the window one by one.
-    double greatest = -1e300;
-    Histogram prefix_in{};
-    Histogram prefix_out{};
-    double a = 0.0, b = out_near;
-    for (std::size_t k = 0; k < bins; ++k) {
-      prefix_in[k] = a += in[k];
-      prefix_out[k] = b += out[k];
-    }
-    for (int k = 0; k < bins; ++k) {
-      const int first = std::max(0, k - window);
-      const int last = std::min(bins - 1, k + window);
-      const double in_below = first > 0 ? prefix_in[static_cast<std::size_t>(first - 1)] : 0.0;
-      const double in_above = in_total - prefix_in[static_cast<std::size_t>(last)];
-      const double out_below =
-          first > 0 ? prefix_out[static_cast<std::size_t>(first - 1)] : out_near;
-      const double out_above = out_total - prefix_out[static_cast<std::size_t>(last)];
-      double sum = (in_below + out_above) * good + (in_above + out_below) * bad;
-      for (int j = first; j <= last; ++j) {
-        const double i = in[static_cast<std::size_t>(j)];
-        const double o = out[static_cast<std::size_t>(j)];
-        if (i > 0.0) sum += i * soft_[static_cast<std::size_t>(k - j + window)];
-        if (o > 0.0) sum += o * soft_[static_cast<std::size_t>(j - k + window)];
-      }
-      likelihood[static_cast<std::size_t>(k)] = sum;
-      greatest = std::max(greatest, sum);
-    }
-    constexpr double nothing = -80.0;  // e^-80 beside 1 is lost in rounding
-    for (double& l : likelihood) l = l - greatest > nothing ? std::exp(l - greatest) : 0.0;
-    return greatest;
-  }
-
- private:
-  double sigma_;
-  double step_ = 1.0;
-  int window_ = 0;
-  std::array<double, 2 * bins + 1> soft_{};
-  std::vector<Eigen::Vector2d> inside_, outside_;  ///< (across, along) from the middle
-};
 
 /// [m] of a side where nothing beyond it was seen, so that only the outline tells. Each sample's
 /// phase leaves gap^2 / 12; as far as the raw outline wavers by as much the phases differ along the
@@ -224,7 +105,7 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
   }
   struct Trial {
     double turn, weight;
-    std::array<Histogram, 4> side;
+    std::array<SideHistogram, 4> side;
   };
   std::array<Trial, directions> trials;
   double first_turn = -reach;
@@ -235,7 +116,7 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
     const double half =
         known[k] ? 2.0 * sides[k].gap : 4.0 * outline_sigma(sides[k], evidence.sigma);
     start[k] = sides[k].position - half;
-    step[k] = 2.0 * half / bins;
+    step[k] = 2.0 * half / side_bins;
   }
   double total = 0.0;
   for (int round = 0; round < rounds; ++round) {
@@ -246,7 +127,7 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
       trial.turn = first_turn + (last_turn - first_turn) * (t + 0.5) / directions;
       trial.weight = 0.0;
       for (std::size_t k = 0; k < 4; ++k) {
-        Histogram& h = trial.side[k];
+        SideHistogram& h = trial.side[k];
         if (!known[k]) {
           normal_bins(h);
           continue;
@@ -274,19 +155,19 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
     last_turn = old_first + turn_step * (static_cast<double>(last) + 2.0);
     for (std::size_t k = 0; k < 4; ++k) {
       if (!known[k]) continue;
-      Histogram sum{};
+      SideHistogram sum{};
       double most = 0.0;
-      for (std::size_t b = 0; b < bins; ++b) {
+      for (std::size_t b = 0; b < side_bins; ++b) {
         for (const Trial& trial : trials) sum[b] += trial.weight * trial.side[k][b];
         most = std::max(most, sum[b]);
       }
       std::size_t from = 0;
-      std::size_t to = bins - 1;
+      std::size_t to = side_bins - 1;
       while (sum[from] < small * most) ++from;
       while (sum[to] < small * most) --to;
       const double width = step[k] * (static_cast<double>(to - from) + 3.0);
       start[k] += step[k] * (static_cast<double>(from) - 1.0);
-      step[k] = width / bins;
+      step[k] = width / side_bins;
     }
   }
   double mean_turn = 0.0;
@@ -294,7 +175,7 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
   for (const Trial& trial : trials) {
     mean_turn += trial.weight * trial.turn;
     for (std::size_t k = 0; k < 4; ++k) {
-      for (std::size_t b = 0; b < bins; ++b)
+      for (std::size_t b = 0; b < side_bins; ++b)
         mean_position[k] += trial.weight * trial.side[k][b] * (static_cast<double>(b) + 0.5);
     }
   }
@@ -308,20 +189,21 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
     const double step_a = step[axis];
     const double step_b = step[axis + 2];
     const double fine = std::min(step_a, step_b);
-    std::vector<double> sum(static_cast<std::size_t>(bins * (step_a + step_b) / fine) + 2, 0.0);
+    std::vector<double> sum(static_cast<std::size_t>(side_bins * (step_a + step_b) / fine) + 2,
+                            0.0);
     // Of the two positions together, over all directions.
-    std::array<Histogram, bins> both{};
+    std::array<SideHistogram, side_bins> both{};
     for (const Trial& trial : trials) {
       if (trial.weight < 1e-4) continue;
-      for (std::size_t i = 0; i < bins; ++i) {
+      for (std::size_t i = 0; i < side_bins; ++i) {
         const double p = trial.weight * trial.side[axis][i];
         if (p < 1e-7) continue;
-        for (std::size_t j = 0; j < bins; ++j) both[i][j] += p * trial.side[axis + 2][j];
+        for (std::size_t j = 0; j < side_bins; ++j) both[i][j] += p * trial.side[axis + 2][j];
       }
     }
-    for (std::size_t i = 0; i < bins; ++i) {
+    for (std::size_t i = 0; i < side_bins; ++i) {
       const double a = (static_cast<double>(i) + 0.5) * step_a / fine;
-      for (std::size_t j = 0; j < bins; ++j)
+      for (std::size_t j = 0; j < side_bins; ++j)
         sum[static_cast<std::size_t>(a + (static_cast<double>(j) + 0.5) * step_b / fine)] +=
             both[i][j];
     }

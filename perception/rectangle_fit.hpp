@@ -3,27 +3,13 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <functional>
 #include <vector>
 
+#include "perception/rectangle_likelihood.hpp"
 #include "perception/rectangle_sides.hpp"
 #include "perception/surface.hpp"
 
 namespace scanchor {
-
-struct RectangleEvidence {
-  std::vector<Eigen::Vector2d>
-      inside;  ///< [m] samples on the surface; those near the edges suffice
-  std::vector<Eigen::Vector2d>
-      outside;  ///< [m] samples that are known not to be on it, next to the edges
-  std::vector<OutlineEdge> edges;
-  double sigma = 0.0;  ///< [m] lateral noise of a sample
-  /// [m2] variance of the distance between two places of the plane, along a unit vector, that comes
-  /// from the plane itself; may be empty.
-  std::function<double(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
-                       const Eigen::Vector2d& along)>
-      plane_variance;
-};
 
 struct RectangleFit {
   FittedRectangle rectangle;

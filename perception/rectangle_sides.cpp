@@ -39,6 +39,35 @@ std::vector<Reach> reaches_of(const std::vector<OutlineEdge>& edges,
   return reaches;
 }
 
+/// An edge that faces the way of a side.
+struct Facing {
+  double position, length, gap, waver;
+  EdgeKind kind;
+};
+
+/// What sticks out a little beyond a long straight edge (a handle, the corner of a book behind a
+/// screen) is not the side: where at least half of the extent is one true edge, with a small part
+/// of the area beyond it and less than a quarter of the extent further out, that edge is. Facing
+/// edges come from the outermost inwards; `at` is the first choice.
+std::size_t pass_tabs(const std::vector<Facing>& facing, std::size_t at, double extent,
+                      double innermost) {
+  double outside = 0.0;
+  for (std::size_t i = 0; i < facing.size() && facing[i].position >= innermost; ++i) {
+    if (i > at && facing[i].kind == EdgeKind::true_edge &&
+        facing[at].position - facing[i].position > 1.5 * facing[i].gap) {
+      double along = 0.0;
+      for (std::size_t k = i; k < facing.size(); ++k) {
+        if (facing[i].position - facing[k].position > facing[i].gap) break;
+        if (facing[k].kind == EdgeKind::true_edge) along += facing[k].length;
+      }
+      if (along >= 0.5 * extent) return i;
+    }
+    outside += facing[i].length;
+    if (outside >= 0.25 * extent) break;
+  }
+  return at;
+}
+
 /// [m2] of the outline that lies further out than a position (Green's theorem on the part of each
 /// edge beyond it).
 double area_beyond(const std::vector<Reach>& reaches, double position) {
@@ -114,10 +143,6 @@ double main_direction(const std::vector<OutlineEdge>& edges) {
 void guess_side(const std::vector<OutlineEdge>& edges, double direction, Side& side) {
   const Eigen::Vector2d normal = unit_vector(direction + side.turn);
   const Eigen::Vector2d along(-normal.y(), normal.x());
-  struct Facing {
-    double position, length, gap, waver;
-    EdgeKind kind;
-  };
   std::vector<Facing> facing;
   double outermost = -1e300;
   double innermost = 1e300;
@@ -155,6 +180,7 @@ void guess_side(const std::vector<OutlineEdge>& edges, double direction, Side& s
       break;
     }
   }
+  at = pass_tabs(facing, at, extent, much);
   if (at == facing.size()) {
     side.position = position_of_share(reaches, innermost, outermost, hardly_anything);
     side.censored = true;

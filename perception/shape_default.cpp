@@ -145,6 +145,58 @@ bool is_hidden(const PointCloud& cloud, const ShapeView& view, const Surface& su
   return side * (surface.plane.normal.dot(hit) - surface.plane.offset) > gate;
 }
 
+/// Whether a small piece is a thing of its own: rays that passed between it and the largest piece
+/// show that nothing joins them. What a shadow parts belongs together.
+bool stands_apart(const PointCloud& cloud, const ShapeView& view, const Surface& surface,
+                  const Polygon& piece, double gate) {
+  const Polygon& largest = surface.polygons.front();
+  constexpr double small =
+      0.1;  // a larger one would be a plane of two things, which is told as such
+  if (piece.area() > small * largest.area()) return false;
+  Eigen::Vector2d from = piece.outer.front();
+  Eigen::Vector2d to = largest.outer.front();
+  for (const auto& a : piece.outer) {
+    for (const auto& b : largest.outer) {
+      if ((a - b).squaredNorm() < (from - to).squaredNorm()) from = a, to = b;
+    }
+  }
+  constexpr int steps = 8;
+  int open = 0;
+  int hidden = 0;
+  for (int k = 0; k < steps; ++k) {
+    const Eigen::Vector2d p = from + (to - from) * ((k + 0.5) / steps);
+    if (on_surface(surface.polygons, p)) continue;
+    ++(is_hidden(cloud, view, surface, p, gate) ? hidden : open);
+  }
+  return open > hidden;
+}
+
+/// Takes the pieces that stand apart out of what the rectangle is fitted to.
+void leave_out_strays(const PointCloud& cloud, const ShapeView& view, const Surface& surface,
+                      double gate, RectangleEvidence& evidence) {
+  std::size_t first = 0;
+  std::vector<OutlineEdge> kept;
+  for (std::size_t k = 0; k < surface.polygons.size(); ++k) {
+    const Polygon& piece = surface.polygons[k];
+    const std::size_t next = first + piece.outer.size();  // one edge a vertex, piece by piece
+    if (k == 0 || !stands_apart(cloud, view, surface, piece, gate)) {
+      kept.insert(kept.end(), evidence.edges.begin() + static_cast<std::ptrdiff_t>(first),
+                  evidence.edges.begin() + static_cast<std::ptrdiff_t>(next));
+    } else {
+      std::size_t to = 0;
+      for (std::size_t i = 0; i < evidence.inside.size(); ++i) {
+        if (contains(piece, evidence.inside[i])) continue;
+        evidence.inside[to] = evidence.inside[i];
+        evidence.inside_height[to++] = evidence.inside_height[i];
+      }
+      evidence.inside.resize(to);
+      evidence.inside_height.resize(to);
+    }
+    first = next;
+  }
+  evidence.edges = std::move(kept);
+}
+
 /// Share of the rectangle, as far as it could be seen, that is surface.
 double filled_share(const PointCloud& cloud, const ShapeView* view, const Surface& surface,
                     double gate) {
@@ -347,6 +399,13 @@ void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surface
   }
   evidence.inside = outline.inside;
   evidence.outside = outline.beyond;
+  if (view != nullptr) {
+    evidence.foot = samples.chart.sensor.head<2>();
+    const double across = 1.0 / std::max(surface.plane.residual_sigma, 1e-9);
+    for (const double h : outline.inside_height) evidence.inside_height.push_back(h * across);
+    for (const double h : outline.beyond_height) evidence.outside_height.push_back(h * across);
+    leave_out_strays(cloud, *view, surface, gate, evidence);
+  }
 
   const OutlineShare share = hidden_share(outline);
   const RectangleFit fit = fit_rectangle(evidence);

@@ -60,6 +60,20 @@ TEST(GuessSide, ASpikeIsNoSide) {
   EXPECT_NEAR(side.position, 1.0, 1e-9);
 }
 
+TEST(GuessSide, ATabBeyondALongEdgeIsNoSide) {
+  // A twentieth of the side, 5 cm high: of three samples and more, but the long edge is the side.
+  const Ring tab = {{0, 0}, {2, 0}, {2, 1}, {0.1, 1}, {0.1, 1.05}, {0, 1.05}};
+  Side side;
+  side.turn = 0.5 * pi;
+  guess_side(edges_of(tab, 0.0), 0.0, side);
+  EXPECT_NEAR(side.position, 1.0, 1e-9);
+  // What looks out of a shadow as short as that is the side: there is no long true edge.
+  auto edges = edges_of(tab, 0.0);
+  edges[2].kind = EdgeKind::occlusion;
+  guess_side(edges, 0.0, side);
+  EXPECT_NEAR(side.position, 1.05, 1e-9);
+}
+
 TEST(GuessSide, AShadowIsCensored) {
   auto edges = edges_of(box, 0.0);
   edges[1].kind = EdgeKind::occlusion;

@@ -168,6 +168,37 @@ TEST(DefaultShape, EllDiscAndFrameAreNoRectangles) {
   EXPECT_NEAR(f.area.value, 1.2 * 0.9 - 0.8 * 0.5, 0.02);
 }
 
+TEST(DefaultShape, AStrayPieceSeenApartDoesNotWidenTheRectangle) {
+  // A screen, and 20 cm beside it the corner of something in the same plane that the plane claimed:
+  // rays passed between. Two pieces that a post parts belong together.
+  ScannerSetup setup = window(0, 0, 20);
+  const Panel screen = box_panel({3, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.6, 0.4);
+  const Panel stray = box_panel({3, 0.54, 0.1}, {0, 1, 0}, {0, 0, 1}, 0.08, 0.08);
+  const auto joined = [&](const std::vector<Panel>& panels) {
+    const ShapeScan apart = scan_panels(panels, setup);
+    std::vector<int> label(apart.cloud.size(), -1);
+    for (std::size_t i = 0; i < label.size(); ++i) {
+      const int s = apart.surfaces.plane_of_point[i];
+      if (s >= 0) label[i] = apart.panel_of_surface[static_cast<std::size_t>(s)];
+      if (label[i] == 1) label[i] = 0;
+    }
+    ShapeScan scan = testing::surfaces_from_labels(apart.cloud, label, &setup.position, 0.01);
+    find_shapes(scan.cloud, {}, scan.surfaces);
+    for (std::size_t i = 0; i < scan.panel_of_surface.size(); ++i) {
+      if (scan.panel_of_surface[i] == 0) return scan.surfaces.surfaces[i];
+    }
+    return Surface{};
+  };
+  const Surface s = joined({screen, stray, wall});
+  EXPECT_EQ(s.polygons.size(), 2U) << "its points are still there";
+  EXPECT_NEAR(s.rectangle.length.value, 0.6, 0.02);
+  EXPECT_NEAR(s.rectangle.width.value, 0.4, 0.02);
+  const Surface shadowed =
+      joined({screen, box_panel({3, 0.4, 0}, {0, 1, 0}, {0, 0, 1}, 0.1, 0.4), wall,
+              box_panel({1.5, 0.165, 0}, {0, 1, 0}, {0, 0, 1}, 0.06, 3)});
+  EXPECT_NEAR(shadowed.rectangle.length.value, 0.75, 0.03);
+}
+
 TEST(DefaultShape, WithoutASensorPositionItStillMeasures) {
   int covered = 0;
   double bias = 0.0;

@@ -1,0 +1,68 @@
+#pragma once
+// How likely each position of a side of a rectangle is, from the samples on both sides of it.
+
+#include <Eigen/Core>
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "perception/rectangle_sides.hpp"
+
+namespace scanchor {
+
+struct RectangleEvidence {
+  std::vector<Eigen::Vector2d>
+      inside;  ///< [m] samples on the surface; those near the edges suffice
+  std::vector<Eigen::Vector2d>
+      outside;  ///< [m] samples that are known not to be on it, next to the edges
+  std::vector<OutlineEdge> edges;
+  double sigma = 0.0;  ///< [m] lateral noise of a sample
+  /// Where the rays are known: heights of the samples over the plane, positive towards the sensor,
+  /// in standard deviations of the noise across it, and the foot of the sensor on the plane [m].
+  std::vector<double> inside_height, outside_height;
+  std::optional<Eigen::Vector2d> foot;
+  /// [m2] variance of the distance between two places of the plane, along a unit vector, that comes
+  /// from the plane itself; may be empty.
+  std::function<double(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+                       const Eigen::Vector2d& along)>
+      plane_variance;
+};
+
+constexpr int side_bins = 48;  ///< positions of a side that are tried at once
+using SideHistogram = std::array<double, side_bins>;
+
+/// Each sample lies on the side of the edge where it was found, but for lateral noise and a share
+/// of wrong samples. Where heights are known, what is wrong is weighed: the first row of points of
+/// a face that begins at the edge still lies within the noise of this plane and may have been
+/// claimed by it, but the points lie behind it (in a corner: before it), as points of its own do
+/// not. And a point beyond that lies in this plane may be its own, claimed by the neighbour.
+class SideLikelihood {
+ public:
+  /// `middle` [m]: where positions are counted from. `sigma` [m]: lateral noise.
+  SideLikelihood(const Side& side, double sigma, const RectangleEvidence& evidence,
+                 const Eigen::Vector2d& middle, double direction);
+
+  /// There are samples on both sides.
+  [[nodiscard]] bool informed() const { return !inside_.empty() && !outside_.empty(); }
+
+  /// To be called before positions are tried that lie `step` apart.
+  void set_step(double step);
+
+  /// Positions start + (k + 1/2) step of the side, turned by `turn` [rad] against the main
+  /// direction: likelihoods, the greatest of them 1; returns the logarithm of the scale.
+  double operator()(double turn, double start, SideHistogram& likelihood) const;
+
+ private:
+  struct Sample {
+    double across, along;  ///< [m] from the middle
+    double value;          ///< height [sigma]; then ln P(found here | belongs to the other side)
+  };
+  double sigma_;
+  double step_ = 1.0;
+  int window_ = 0;
+  std::array<double, 2 * side_bins + 1> soft_{};
+  std::vector<Sample> inside_, outside_;
+};
+
+}  // namespace scanchor
