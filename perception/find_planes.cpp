@@ -14,6 +14,7 @@
 #include "perception/paper_planes.hpp"
 #include "perception/plane_fit.hpp"
 #include "perception/set_aside.hpp"
+#include "perception/sheet_planes.hpp"
 #include "perception/thin_planes.hpp"
 
 namespace scanchor {
@@ -177,6 +178,7 @@ Surfaces find_planes(const PointCloud& cloud, const PerceiveOptions& options) {
     }
   });
   drop_chance_planes(input.cloud, tree, labels);
+  split_sheets(input.cloud, labels, noise);
   if (grid) connect_planes(input.cloud, *grid, noise, fewest_points, labels);
   if (bent) join_bent_planes(input.cloud, tree, input.sigma, labels);
   collect_surfaces(cloud, input, labels.of_point, surfaces);

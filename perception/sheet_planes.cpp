@@ -1,0 +1,400 @@
+#include "perception/sheet_planes.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "perception/thin_planes.hpp"
+
+namespace scanchor {
+namespace {
+
+constexpr double points_per_square = 8.0;
+constexpr std::size_t fewest_squares = 12;  // of a sheet
+
+// Heights over a plane, averaged over squares of it: a map that tells steps from bends.
+class HeightMap {
+ public:
+  HeightMap(const CanonicalCloud& cloud, const GrownPlane& grown,
+            std::span<const std::uint32_t> members)
+      : u_(grown.plane.axes.col(2).cast<float>()), v_(grown.plane.axes.col(1).cast<float>()) {
+    float high_u = -3e38F, high_v = -3e38F;
+    std::vector<float> u(members.size()), v(members.size());
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      const Eigen::Vector3f x = cloud.point(members[k]);
+      u[k] = u_.dot(x);
+      v[k] = v_.dot(x);
+      low_u_ = std::min(low_u_, u[k]);
+      high_u = std::max(high_u, u[k]);
+      low_v_ = std::min(low_v_, v[k]);
+      high_v = std::max(high_v, v[k]);
+    }
+    const auto& variances = grown.plane.variances;  // an even spread has 12 times as much extent^2
+    const double area = 12.0 * std::sqrt(std::max(0.0, variances[1] * variances[2]));
+    constexpr float most = 500.0F;
+    side_ = std::max(static_cast<float>(
+                         std::sqrt(points_per_square * area / static_cast<double>(members.size()))),
+                     std::max({high_u - low_u_, high_v - low_v_, 1e-6F}) / most);
+    columns = static_cast<int>((high_u - low_u_) / side_) + 3;  // with an empty rim
+    rows = static_cast<int>((high_v - low_v_) / side_) + 3;
+    const auto squares = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+    weight.assign(squares, 0.0F);
+    height.assign(squares, 0.0F);
+    const PlaneReach reach(grown);
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      const auto p = members[k];
+      const auto at = square(u[k], v[k]);
+      const float s = reach.scatter(cloud.inverse_range[p]), w = 1.0F / (s * s);
+      weight[at] += w;
+      height[at] +=
+          w * (reach.a * cloud.x[p] + reach.b * cloud.y[p] + reach.c * cloud.z[p] - reach.offset);
+    }
+    for (std::size_t i = 0; i < squares; ++i) {
+      if (weight[i] > 0.0F) height[i] /= weight[i];
+    }
+  }
+  [[nodiscard]] std::size_t square(const Eigen::Vector3f& x) const {
+    return square(u_.dot(x), v_.dot(x));
+  }
+  /// Is there a point of the map in the square of this place or in one that touches it?
+  [[nodiscard]] bool is_beside(const Eigen::Vector3f& x) const {
+    const float column = (u_.dot(x) - low_u_) / side_ + 1.0F,
+                row = (v_.dot(x) - low_v_) / side_ + 1.0F;
+    if (column < 1.0F || row < 1.0F || column >= static_cast<float>(columns - 1) ||
+        row >= static_cast<float>(rows - 1))
+      return false;
+    return around(square(x), [&](std::size_t i) { return weight[i] > 0.0F ? 1.0 : 0.0; }) > 0.0;
+  }
+  /// Squares beside, above and below.
+  [[nodiscard]] std::array<std::size_t, 4> beside(std::size_t at) const {
+    const auto row = static_cast<std::size_t>(columns);
+    return {at - 1, at + 1, at - row, at + row};
+  }
+  /// Sum over the three by three squares around `at` of f(square).
+  template <class F>
+  [[nodiscard]] double around(std::size_t at, const F& f) const {
+    double sum = 0.0;
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx)
+        sum += f(at + static_cast<std::size_t>(static_cast<std::ptrdiff_t>(dy) * columns + dx));
+    }
+    return sum;
+  }
+  /// Place of a square along the map, in squares: good for fitting.
+  [[nodiscard]] Eigen::Vector3d place(std::size_t at) const {
+    const auto row = static_cast<std::size_t>(columns);
+    return {1.0, static_cast<double>(at % row) / columns, static_cast<double>(at / row) / columns};
+  }
+
+  int columns = 0, rows = 0;
+  std::vector<float> weight;  ///< [1/m2] one over the variance of the height; 0: no point
+  std::vector<float> height;  ///< [m]
+
+ private:
+  [[nodiscard]] std::size_t square(float u, float v) const {
+    return static_cast<std::size_t>((static_cast<int>((v - low_v_) / side_) + 1) * columns +
+                                    static_cast<int>((u - low_u_) / side_) + 1);
+  }
+  Eigen::Vector3f u_, v_;
+  float low_u_ = 3e38F, low_v_ = 3e38F, side_ = 1.0F;
+};
+
+// Height as a linear function of place, from the squares that were added.
+class Tilt {
+ public:
+  void add(const Eigen::Vector3d& place, double weight, double height) {
+    left_ += weight * place * place.transpose();
+    right_ += weight * height * place;
+  }
+  /// Takes off what was added to another.
+  void remove(const Tilt& other) {
+    left_ -= other.left_;
+    right_ -= other.right_;
+  }
+  void fit() {
+    // A little to hold directions that nothing holds.
+    left_.diagonal().array() += 1e-9 * left_(0, 0) + 1e-300;
+    line_ = left_.ldlt().solve(right_);
+  }
+  [[nodiscard]] double at(const Eigen::Vector3d& place) const { return line_.dot(place); }
+
+ private:
+  Eigen::Matrix3d left_ = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right_ = Eigen::Vector3d::Zero(), line_ = Eigen::Vector3d::Zero();
+};
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+class SheetFinder {
+ public:
+  explicit SheetFinder(const HeightMap& map) : map_(map), state(map.weight.size(), rest) {
+    for (std::size_t i = 0; i < state.size(); ++i) {
+      if (map.weight[i] > 0.0F) squares_.push_back(i);
+    }
+    tried_.assign(state.size(), 0);
+  }
+
+  // Looks for one more sheet in what is left; its squares get the number `id` in `state`.
+  // False: there is none.
+  bool find(int id, double scatter) {
+    for (int attempt = 0; attempt < 6; ++attempt) {
+      if (!seed(scatter)) return false;
+      for (const auto at : sheet_) tried_[at] = 1;
+      for (int round = 0; round < 8 && compete(); ++round) {
+      }
+      const bool stands = sheet_.size() >= fewest_squares && is_sheet(scatter);
+      for (const auto at : sheet_) {
+        state[at] = stands ? id : rest;
+        tried_[at] = 1;
+      }
+      if (stands) return true;
+    }
+    return false;
+  }
+
+ private:
+  static constexpr int rest = -1, candidate = -2;
+
+  // The connected squares that stand out most on one side of the rest.
+  bool seed(double scatter) {
+    all_ = Tilt{};
+    for (const auto at : squares_) {
+      if (state[at] == rest) all_.add(map_.place(at), map_.weight[at], map_.height[at]);
+    }
+    ground_ = all_;
+    ground_.fit();
+    // Sums over three by three squares: of rows, then of those.
+    std::vector<float> weight(state.size(), 0.0F), moment(state.size(), 0.0F);
+    for (const auto at : squares_) {
+      if (state[at] != rest) continue;
+      const auto d = static_cast<float>(map_.height[at] - ground_.at(map_.place(at)));
+      for (const auto i : {at - 1, at, at + 1}) {
+        weight[i] += map_.weight[at];
+        moment[i] += map_.weight[at] * d;
+      }
+    }
+    std::vector<signed char> side(state.size(), 0);
+    std::vector<float> out(state.size(), 0.0F);
+    const auto row = static_cast<std::size_t>(map_.columns);
+    const auto least = static_cast<float>(0.5 * scatter);
+    for (const auto at : squares_) {
+      if (state[at] != rest || tried_[at] != 0) continue;
+      const float w = weight[at - row] + weight[at] + weight[at + row];
+      const float mean = (moment[at - row] + moment[at] + moment[at + row]) / w;
+      if (std::abs(mean) < least || mean * mean * w < 12.0F) continue;
+      side[at] = mean > 0.0F ? 1 : -1;
+      out[at] = mean * mean * map_.weight[at];
+    }
+    sheet_.clear();
+    double best = 0.0;
+    std::vector<std::size_t> queue;
+    for (const auto first : squares_) {
+      if (side[first] == 0) continue;
+      const auto sign = side[first];
+      double sum = 0.0;
+      queue.assign(1, first);
+      side[first] = 0;
+      for (std::size_t head = 0; head < queue.size(); ++head) {
+        sum += out[queue[head]];
+        for (const auto next : map_.beside(queue[head])) {
+          if (side[next] != sign) continue;
+          side[next] = 0;
+          queue.push_back(next);
+        }
+      }
+      if (sum <= best || queue.size() < fewest_squares / 2) continue;
+      best = sum;
+      sheet_ = queue;
+    }
+    for (const auto at : sheet_) state[at] = candidate;
+    return !sheet_.empty();
+  }
+
+  void fit_both() {
+    lifted_ = Tilt{};
+    for (const auto at : sheet_) lifted_.add(map_.place(at), map_.weight[at], map_.height[at]);
+    ground_ = all_;
+    ground_.remove(lifted_);
+    lifted_.fit();
+    ground_.fit();
+  }
+
+  // Both planes follow their squares, then the squares at the border choose again, each with those
+  // around it. False: nothing changed.
+  bool compete() {
+    fit_both();
+    const auto prefers_sheet = [&](std::size_t at) {
+      return map_.around(at, [&](std::size_t i) {
+        if (map_.weight[i] <= 0.0F || state[i] >= 0) return 0.0;
+        const auto place = map_.place(i);
+        const double a = map_.height[i] - ground_.at(place), b = map_.height[i] - lifted_.at(place);
+        return map_.weight[i] * (a * a - b * b);
+      }) > 0.0;
+    };
+    std::vector<std::size_t> lost, won;
+    for (const auto at : sheet_) {
+      if (!prefers_sheet(at)) lost.push_back(at);
+      for (const auto next : map_.beside(at)) {
+        if (state[next] == rest && map_.weight[next] > 0.0F && prefers_sheet(next))
+          won.push_back(next);
+      }
+    }
+    for (const auto at : lost) state[at] = rest;
+    for (const auto at : won) {
+      if (state[at] == candidate) continue;
+      state[at] = candidate;
+      sheet_.push_back(at);
+    }
+    sheet_.erase(std::remove_if(sheet_.begin(), sheet_.end(),
+                                [&](std::size_t at) { return state[at] != candidate; }),
+                 sheet_.end());
+    return !lost.empty() || !won.empty();
+  }
+
+  bool is_sheet(double scatter) {
+    fit_both();
+    const auto misfit = [&](std::size_t at, const Tilt& tilt) {
+      const double d = map_.height[at] - tilt.at(map_.place(at));
+      return map_.weight[at] * d * d;
+    };
+    double gain = 0.0;
+    std::vector<double> inside, outside, steps, rises;
+    for (const auto at : sheet_) {
+      inside.push_back(misfit(at, lifted_));
+      gain += misfit(at, ground_) - inside.back();
+    }
+    // Across the border, one square left out on each side, since it holds points of both. Medians:
+    // a third thing may stand there too.
+    double expected = 0.0;
+    std::size_t border = 0;
+    for (const auto at : sheet_) {
+      for (const auto next : map_.beside(at)) {
+        if (state[next] != rest) continue;
+        ++border;
+        const auto across = static_cast<std::ptrdiff_t>(next) - static_cast<std::ptrdiff_t>(at);
+        const auto in = at - static_cast<std::size_t>(across),
+                   out = next + static_cast<std::size_t>(across);
+        if (out >= state.size() || in >= state.size() || map_.weight[next] <= 0.0F ||
+            state[in] != candidate || state[out] != rest || map_.weight[out] <= 0.0F)
+          continue;
+        steps.push_back(map_.height[in] - map_.height[out]);
+        rises.push_back(map_.height[at] - map_.height[next]);
+        expected += lifted_.at(map_.place(next)) - ground_.at(map_.place(next));
+        outside.push_back(misfit(out, ground_));
+      }
+    }
+    if (4 * steps.size() < border || steps.size() < 6) return false;  // it borders on nothing
+    expected /= static_cast<double>(steps.size());
+    // A slope would rise by a third of the step between the two squares in the middle.
+    const double step = median(steps) / expected, rise = median(rises) / expected;
+    return gain > 16.3 + 2.0 * static_cast<double>(border) && std::abs(expected) >= 0.5 * scatter &&
+           step >= 0.7 && step <= 1.5 && rise >= 0.45 * step && median(inside) < 2.0 &&
+           median(outside) < 2.0;
+  }
+
+  const HeightMap& map_;
+  std::vector<std::size_t> squares_, sheet_;
+  std::vector<char> tried_;
+  Tilt all_, ground_, lifted_;
+
+ public:
+  std::vector<int> state;  // by square: the number of its sheet, or `rest`
+};
+
+// Are both nearly parallel, and the smaller one within reach of the larger one's noise?
+bool lies_close(const GrownPlane& large, const GrownPlane& small, const BeamNoise& noise) {
+  constexpr double turn = 0.97, apart = 5.0;
+  if (small.moments.n < 3.0) return false;
+  const Eigen::Vector3d there = small.moments.mean();
+  return std::abs(large.plane.distance(there)) < apart * noise.across(large.plane, there) &&
+         std::abs(large.plane.normal.dot(small.plane.normal)) > turn;
+}
+
+}  // namespace
+
+void split_sheets(const CanonicalCloud& cloud, PlaneLabels& labels, const BeamNoise& noise) {
+  constexpr int most_sheets = 16;
+  constexpr auto fewest = static_cast<std::size_t>(3.0 * points_per_square * fewest_squares);
+  const PlaneMembers members(labels);
+  std::vector<std::uint32_t> order(labels.planes.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](auto a, auto b) { return members[a].size() > members[b].size(); });
+  std::vector<char> settled(labels.planes.size(), 0);
+  std::vector<std::uint32_t> points;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const auto r = order[i];
+    if (members[r].size() < fewest) break;
+    if (settled[r] != 0) continue;
+    // Planes so near that points of one sheet may have gone to either.
+    const GrownPlane whole = labels.planes[r];
+    points.assign(members[r].begin(), members[r].end());
+    std::vector<std::uint32_t> near;
+    for (std::size_t j = i + 1; j < order.size(); ++j) {
+      const auto q = order[j];
+      if (members[q].size() < 3) break;
+      if (settled[q] == 0 && lies_close(whole, labels.planes[q], noise)) near.push_back(q);
+    }
+    const HeightMap alone(cloud, whole, points);
+    const std::size_t own = points.size();
+    for (const auto q : near) {
+      std::size_t within = 0;
+      for (const auto p : members[q]) within += alone.is_beside(cloud.point(p)) ? 1 : 0;
+      if (10 * within >= members[q].size())
+        points.insert(points.end(), members[q].begin(), members[q].end());
+    }
+    std::optional<HeightMap> together;
+    if (points.size() > own) together.emplace(cloud, whole, points);
+    const HeightMap& map = together ? *together : alone;
+    SheetFinder finder(map);
+    int sheets = 0;
+    while (sheets < most_sheets && finder.find(sheets, whole.sigma)) ++sheets;
+    if (sheets == 0) continue;
+    std::vector<Moments> sums(static_cast<std::size_t>(sheets) + 1);
+    std::vector<GrownPlane> planes;
+    for (const auto p : points) {
+      const int sheet = finder.state[map.square(cloud.point(p))];
+      sums[static_cast<std::size_t>(sheet + 1)].add(cloud.x[p], cloud.y[p], cloud.z[p]);
+    }
+    for (const auto& sum : sums) planes.push_back(grown_plane(sum, noise));
+    std::vector<PlaneReach> reach(planes.begin(), planes.end());
+    for (const auto p : points) {
+      const auto k = static_cast<std::size_t>(finder.state[map.square(cloud.point(p))] + 1);
+      auto& label = labels.of_point[p];
+      // What stands out from its sheet and was another plane's stays there.
+      if (label != static_cast<std::int32_t>(r) &&
+          !reach[k].holds(cloud.x[p], cloud.y[p], cloud.z[p], cloud.inverse_range[p]))
+        continue;
+      label = k == 0 ? static_cast<std::int32_t>(r)
+                     : static_cast<std::int32_t>(labels.planes.size() + k - 1);
+    }
+    labels.planes[r] = planes[0];
+    labels.planes.insert(labels.planes.end(), planes.begin() + 1, planes.end());
+    // Those that gave points follow what they kept.
+    for (const auto q : near) {
+      Moments left;
+      for (const auto p : members[q]) {
+        if (labels.of_point[p] == static_cast<std::int32_t>(q))
+          left.add(cloud.x[p], cloud.y[p], cloud.z[p]);
+      }
+      if (left.n == labels.planes[q].moments.n) continue;
+      settled[q] = 1;
+      if (left.n >= static_cast<double>(fewest_points)) {
+        labels.planes[q] = grown_plane(left, noise);
+        continue;
+      }
+      labels.planes[q].moments = Moments{};
+      for (const auto p : members[q]) {
+        if (labels.of_point[p] == static_cast<std::int32_t>(q)) labels.of_point[p] = -1;
+      }
+    }
+  }
+}
+
+}  // namespace scanchor
