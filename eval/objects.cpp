@@ -60,7 +60,6 @@ void lay_claims(const Segments& segments, const Protocol& protocol,
   for (std::size_t p = 0; p < claims.size(); ++p) {
     const auto& segment = segments.predicted[p];
     claims[p].purity = ratio(most[p], segment.points - segment.void_points);
-    if (2 * segment.void_points > segment.points) claims[p].status = ClaimStatus::ignored;
     if (claims[p].purity <= protocol.object_purity) claims[p].thing = -1;
   }
 }
@@ -74,9 +73,7 @@ void match(const Segments& segments, const Protocol& protocol, std::vector<Thing
     const auto p = static_cast<std::size_t>(overlap.predicted);
     ThingResult& thing = things[t];
     ClaimResult& claim = claims[p];
-    if (claim.status == ClaimStatus::ignored || claim.thing != overlap.truth ||
-        claim.class_id != thing.class_id)
-      continue;
+    if (claim.thing != overlap.truth || claim.class_id != thing.class_id) continue;
     if (thing.status == ThingStatus::not_described) {
       claim.status = ClaimStatus::ignored;
       continue;
@@ -96,6 +93,13 @@ void match(const Segments& segments, const Protocol& protocol, std::vector<Thing
     if (thing.claim < 0) continue;
     thing.status = ThingStatus::found;
     claims[static_cast<std::size_t>(thing.claim)].status = ClaimStatus::right;
+  }
+  // As in panopticapi: points that do not count keep no claim from being right, but one that finds
+  // nothing is not held against it where most of its points are such.
+  for (std::size_t p = 0; p < claims.size(); ++p) {
+    const auto& segment = segments.predicted[p];
+    if (claims[p].status != ClaimStatus::right && 2 * segment.void_points > segment.points)
+      claims[p].status = ClaimStatus::ignored;
   }
   std::vector<std::int64_t> named(things.size(), 0);
   for (const auto& overlap : segments.overlaps) {
