@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <tuple>
 
 namespace scanchor {
 
@@ -54,6 +56,48 @@ double Footprint::area() const { return 4.0 * std::abs(u.x() * v.y() - u.y() * v
 
 Eigen::Matrix3d levelling(const Eigen::Vector3d& up) {
   return Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+}
+
+bool same_geometry(const Item& a, const Item& b) {
+  const auto same = [](const Quantity& x, const Quantity& y) {
+    return x.value == y.value && x.sigma == y.sigma && x.hidden == y.hidden;
+  };
+  return a.group == b.group && a.has_shape == b.has_shape && a.center == b.center &&
+         a.centroid == b.centroid && a.normal == b.normal &&
+         a.normal_covariance == b.normal_covariance && a.offset_sigma == b.offset_sigma &&
+         a.along == b.along && a.across == b.across && a.half_length == b.half_length &&
+         a.half_width == b.half_width && same(a.area, b.area) && same(a.extension, b.extension) &&
+         same(a.width, b.width) && same(a.height, b.height) &&
+         same(a.rectangularness, b.rectangularness) && a.z_low == b.z_low && a.z_high == b.z_high &&
+         a.z == b.z && a.z_sigma == b.z_sigma && a.box.min() == b.box.min() &&
+         a.box.max() == b.box.max() && a.members == b.members;
+}
+
+std::vector<std::int32_t> first_of_twins(const std::vector<Item>& items) {
+  std::vector<std::int32_t> order(items.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [&](std::int32_t i) {
+    const Item& item = items[i];
+    return std::make_tuple(item.center.x(), item.center.y(), item.center.z(), item.area.value);
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::int32_t a, std::int32_t b) { return key(a) < key(b); });
+  std::vector<std::int32_t> first(items.size());
+  for (std::size_t begin = 0; begin < order.size();) {
+    std::size_t end = begin;
+    while (end < order.size() && !(key(order[begin]) < key(order[end]))) ++end;
+    // Of one middle and area there are hardly ever two that differ otherwise.
+    std::vector<std::int32_t> kinds;
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto twin = std::find_if(kinds.begin(), kinds.end(), [&](std::int32_t k) {
+        return same_geometry(items[k], items[order[i]]);
+      });
+      first[order[i]] = twin != kinds.end() ? *twin : order[i];
+      if (twin == kinds.end()) kinds.push_back(order[i]);
+    }
+    begin = end;
+  }
+  return first;
 }
 
 std::vector<Item> make_items(const Surfaces& surfaces, const Eigen::Matrix3d& R) {

@@ -54,6 +54,12 @@ struct Item {
 /// Rotation that carries `up` (unit) to z.
 Eigen::Matrix3d levelling(const Eigen::Vector3d& up);
 
+/// True if the two are the same to the last bit in everything that relations look at.
+bool same_geometry(const Item& a, const Item& b);
+
+/// For each item the first one of the same geometry, itself if there is none in front of it.
+std::vector<std::int32_t> first_of_twins(const std::vector<Item>& items);
+
 /// One item a surface, in the same order, ids from 0.
 std::vector<Item> make_items(const Surfaces& surfaces, const Eigen::Matrix3d& R_level_cloud);
 

@@ -72,6 +72,8 @@ Matcher::Matcher(const Ontology& ontology, std::vector<Item> items, const Surrou
   group_clause_.assign(count, -1);
   candidates_.resize(count);
   targets_.resize(count);
+  runs_.resize(count);
+  twin_ = first_of_twins(items_);
   for (std::size_t c = 0; c < count; ++c) {
     class_of_name_.emplace(ontology.classes[c].name(), static_cast<int>(c));
     clauses_[c] = all_clauses(ontology, static_cast<int>(c));
@@ -106,8 +108,9 @@ double Matcher::belief(int class_index, std::int32_t item) const {
 
 const Evidence& Matcher::corner_of(std::int32_t id) const {
   // Looked for once, and only for what passed the clauses in front.
-  auto& corner = cornered_[static_cast<std::size_t>(id)];
-  if (!corner) corner = cornered(items_, items_[id], around_);
+  const std::int32_t twin = twin_[id];  // faces in one plane have no edge with each other
+  auto& corner = cornered_[static_cast<std::size_t>(twin)];
+  if (!corner) corner = cornered(items_, items_[twin], around_);
   return *corner;
 }
 
@@ -155,36 +158,53 @@ ClauseValue Matcher::evaluate_relation(const Clause& clause, std::int32_t id) co
   ClauseValue best;
   double none = 1.0;  // P(no target satisfies it), for negation
   double best_distance = INFINITY;
-  for (const auto& target : targets_[wanted]) {
-    if (clause.kind == ClauseKind::relation && target.belief < best.value)
-      break;  // no later one can be better
-    const Item& b = items_[target.item];
-    if (target.item == id || std::find(b.members.begin(), b.members.end(), id) != b.members.end() ||
-        std::find(a.members.begin(), a.members.end(), target.item) != a.members.end()) {
-      continue;
-    }
-    if (clause.kind == ClauseKind::relation && best.target >= 0 && out_of_reach(clause, a, b))
-      continue;
+  const auto related_by_birth = [&](std::int32_t target) {
+    const auto& members = items_[target].members;
+    return target == id || std::find(members.begin(), members.end(), id) != members.end() ||
+           std::find(a.members.begin(), a.members.end(), target) != a.members.end();
+  };
+  const bool required = clause.kind == ClauseKind::relation;
+  /// Holds it against `count` targets of one geometry; false: no later one can be better.
+  const auto consider = [&](double belief, std::int32_t target, int count) {
+    if (required && belief < best.value) return false;
+    const Item& b = items_[target];
+    if (required && best.target >= 0 && out_of_reach(clause, a, b)) return true;
     double product = 1.0;
     Evidence weakest;
     for (std::size_t i = 0; i < clause.relations.size(); ++i) {
       const Evidence evidence = relate(clause.relations[i], a, b, around_);
       if (i == 0 || evidence.likelihood < weakest.likelihood) weakest = evidence;
       product *= evidence.likelihood;
-      if (clause.kind == ClauseKind::relation && target.belief * product < best.value) break;
+      if (required && belief * product < best.value) break;
     }
-    if (!clause.target_clauses.empty() && product > 0.0)
-      product *= restriction(clause, target.item);
-    none *= 1.0 - target.belief * product;
-    const double value = target.belief * product;
+    if (!clause.target_clauses.empty() && product > 0.0) product *= restriction(clause, target);
+    for (int k = 0; k < count && !required; ++k) none *= 1.0 - belief * product;
+    const double value = belief * product;
     const double distance = (a.center - b.center).squaredNorm();
     // Of equally good targets the nearest is named.
     if (best.target < 0 || value > best.value ||
         (value == best.value && distance < best_distance)) {
       best.value = value;
       best.evidence = weakest;
-      best.target = target.item;
+      best.target = target;
       best_distance = distance;
+    }
+    return true;
+  };
+  if (a.group) {  // which of equal surfaces are its members makes a difference
+    for (const auto& target : targets_[wanted]) {
+      if (!related_by_birth(target.item) && !consider(target.belief, target.item, 1)) break;
+    }
+  } else {
+    for (const auto& run : runs_[wanted]) {
+      if (run.count == 1) {
+        if (related_by_birth(run.first)) continue;
+        if (!consider(run.belief, run.first, 1)) break;
+        continue;
+      }
+      const bool within = twin_[id] == twin_[run.first] && belief(wanted, id) == run.belief;
+      const std::int32_t target = run.first == id ? run.second : run.first;
+      if (!consider(run.belief, target, run.count - (within ? 1 : 0))) break;
     }
   }
   if (clause.kind == ClauseKind::negation) {
@@ -263,6 +283,7 @@ std::vector<std::int32_t> Matcher::find_groups(const Clause& clause) {
     ids.push_back(item.id);
     items_.push_back(std::move(item));
     group_value_.push_back(group.probability);
+    twin_.push_back(ids.back());  // groups share no members: they are no twins
     cornered_.emplace_back();
   }
   return ids;
@@ -337,6 +358,20 @@ void Matcher::publish(int class_index) {
   std::sort(targets.begin(), targets.end(), [](const Target& a, const Target& b) {
     return a.belief != b.belief ? a.belief > b.belief : a.item < b.item;
   });
+  auto& runs = runs_[class_index];
+  runs.clear();
+  std::map<std::int32_t, std::size_t> known;  // of this belief: the run of a geometry
+  for (const auto& target : targets) {
+    if (!runs.empty() && runs.back().belief != target.belief) known.clear();
+    const auto [at, fresh] = known.try_emplace(twin_[target.item], runs.size());
+    if (fresh) {
+      runs.push_back({target.belief, target.item, -1, 1});
+      continue;
+    }
+    Run& run = runs[at->second];
+    if (run.second < 0) run.second = target.item;
+    ++run.count;
+  }
 }
 
 void Matcher::evaluate_context(int class_index) {

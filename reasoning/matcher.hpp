@@ -78,6 +78,13 @@ class Matcher {
     std::int32_t item;
     double fit;
   };
+  /// Targets of one belief and one geometry: what holds of the first holds of all.
+  struct Run {
+    double belief;
+    std::int32_t first;
+    std::int32_t second;  ///< -1: there is none
+    std::int32_t count;
+  };
   [[nodiscard]] ClauseValue evaluate_unary(const Clause& clause, std::int32_t item) const;
   [[nodiscard]] ClauseValue evaluate_relation(const Clause& clause, std::int32_t item) const;
   [[nodiscard]] double restriction(const Clause& clause, std::int32_t target) const;
@@ -99,6 +106,8 @@ class Matcher {
   UnaryIndex index_;
   std::vector<std::vector<Candidate>> candidates_;
   std::vector<std::vector<Target>> targets_;                   ///< of a class, falling belief
+  std::vector<std::vector<Run>> runs_;                         ///< the same, twins as one
+  std::vector<std::int32_t> twin_;                             ///< first item of this geometry
   std::vector<Evidence> horizontal_, vertical_, rectangular_;  ///< of each surface
   mutable std::vector<std::optional<Evidence>> cornered_;      ///< of each item, once asked for
   mutable std::map<std::pair<const Clause*, std::int32_t>, double>

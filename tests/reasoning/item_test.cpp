@@ -45,5 +45,15 @@ TEST(Item, GroupIsTheBoxOfItsMembers) {
   EXPECT_NEAR((shelf.center - Eigen::Vector3d(-2, -2, 0.7)).norm(), 0.0, 1e-9);
 }
 
+TEST(Item, TwinsAreEqualToTheLastBit) {
+  std::vector<test::Plate> plates(5, test::desk_plate());
+  plates[1].center.x() += 1e-9;
+  plates[3].hidden = 0.3;
+  const auto items = make_items(test::make_surfaces(plates), Eigen::Matrix3d::Identity());
+  EXPECT_EQ(first_of_twins(items), (std::vector<std::int32_t>{0, 1, 0, 3, 0}));
+  EXPECT_TRUE(same_geometry(items[0], items[2]));
+  EXPECT_FALSE(same_geometry(items[0], items[3]));
+}
+
 }  // namespace
 }  // namespace scanchor

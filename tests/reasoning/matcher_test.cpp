@@ -151,6 +151,8 @@ TEST(Matcher, EqualsBruteForceOnRandomScenes) {
       plate.hidden = random.chance(0.3) ? random.uniform(0.1, 0.8) : 0.0;
       plate.fill = random.uniform(0.6, 1.0);
       plates.push_back(plate);
+      // Here and there the same surface twice or more.
+      if (random.chance(0.15)) plates.push_back(plates[random.below(i + 1)]);
     }
     const auto items = make_items(test::make_surfaces(plates), Eigen::Matrix3d::Identity());
     Surrounding around;
