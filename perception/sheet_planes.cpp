@@ -67,6 +67,10 @@ class HeightMap {
       return false;
     return around(square(x), [&](std::size_t i) { return weight[i] > 0.0F ? 1.0 : 0.0; }) > 0.0;
   }
+  /// Is there one in the square itself?
+  [[nodiscard]] bool holds(const Eigen::Vector3f& x) const {
+    return is_beside(x) && weight[square(x)] > 0.0F;
+  }
   /// Squares beside, above and below.
   [[nodiscard]] std::array<std::size_t, 4> beside(std::size_t at) const {
     const auto row = static_cast<std::size_t>(columns);
@@ -155,7 +159,32 @@ class SheetFinder {
       }
       if (stands) return true;
     }
+    ground_ = all_;
+    ground_.fit();
     return false;
+  }
+
+  // Do these points share their squares with those of `other`, and are the squares as high as one
+  // plane through all? Then two planes parted the points of one by their noise.
+  [[nodiscard]] bool is_mixed_in(const CanonicalCloud& cloud, const HeightMap& other,
+                                 std::span<const std::uint32_t> points) const {
+    constexpr std::size_t fewest = 3;
+    std::vector<std::size_t> squares;
+    std::size_t shared = 0;
+    for (const auto p : points) {
+      const Eigen::Vector3f x = cloud.point(p);
+      if (other.holds(x)) ++shared;
+      squares.push_back(map_.square(x));
+    }
+    std::sort(squares.begin(), squares.end());
+    squares.erase(std::unique(squares.begin(), squares.end()), squares.end());
+    if (10 * shared < points.size() || squares.size() < fewest) return false;
+    double misfit = 0.0;
+    for (const auto at : squares) {
+      const double d = map_.height[at] - ground_.at(map_.place(at));
+      misfit += map_.weight[at] * d * d;
+    }
+    return misfit < 1.5 * static_cast<double>(squares.size());
   }
 
  private:
@@ -355,7 +384,18 @@ void split_sheets(const CanonicalCloud& cloud, PlaneLabels& labels, const BeamNo
     SheetFinder finder(map);
     int sheets = 0;
     while (sheets < most_sheets && finder.find(sheets, whole.sigma)) ++sheets;
-    if (sheets == 0) continue;
+    if (sheets == 0) {
+      for (const auto q : near) {
+        if (!finder.is_mixed_in(cloud, alone, members[q])) continue;
+        Moments both = labels.planes[r].moments;
+        both.add(labels.planes[q].moments);
+        labels.planes[r] = grown_plane(both, noise);
+        labels.planes[q].moments = Moments{};
+        settled[q] = 1;
+        for (const auto p : members[q]) labels.of_point[p] = static_cast<std::int32_t>(r);
+      }
+      continue;
+    }
     std::vector<Moments> sums(static_cast<std::size_t>(sheets) + 1);
     std::vector<GrownPlane> planes;
     for (const auto p : points) {

@@ -10,7 +10,9 @@ namespace scanchor {
 /// of at least one scatter of the plane: two planes must explain the means over small squares
 /// better than one (chi-square, 0.1 %, and a bit for each square of the border), leave nothing but
 /// noise around the border, and the step must be taken within a few squares. A bend, however high,
-/// rises slowly and stays in one plane. Labels follow; new planes are appended.
+/// rises slowly and stays in one plane. Planes that parted the points of one by their noise, so
+/// that their squares are as high as one plane, become one. Labels follow; new planes are appended,
+/// and those that lost all their points have empty moments.
 void split_sheets(const CanonicalCloud& cloud, PlaneLabels& labels, const BeamNoise& noise);
 
 }  // namespace scanchor

@@ -87,6 +87,24 @@ TEST(SheetPlanes, TwoMixedPlanesAreSortedOut) {
   EXPECT_GT(scene.share_right(), 0.95);
 }
 
+// Two planes that cross at a shallow angle part the points of one wall by their noise: what lies
+// before goes to one, what lies behind to the other.
+TEST(SheetPlanes, WhatNoisePartedIsOneAgain) {
+  Wall scene(73, [](double, double) { return 0.0; });
+  const GrownPlane truth = scene.labels.planes[0];
+  std::vector<Moments> sums(2);
+  for (std::size_t i = 0; i < scene.labels.of_point.size(); ++i) {
+    const Eigen::Vector3d p = scene.cloud.point(i).cast<double>();
+    const double along = truth.plane.axes.col(2).dot(p - truth.moments.mean());
+    const bool second = along > 0.9 || (along > 0.0 && truth.plane.distance(p) > 0.0);
+    scene.labels.of_point[i] = second ? 1 : 0;
+    sums[second ? 1 : 0].add(p.x(), p.y(), p.z());
+  }
+  scene.labels.planes = {grown_plane(sums[0], 0.01), grown_plane(sums[1], 0.01)};
+  split_sheets(scene.cloud, scene.labels, 0.01);
+  EXPECT_EQ(scene.planes(), 1U);
+}
+
 TEST(SheetPlanes, APlainWallStaysWhole) {
   for (std::uint64_t seed = 80; seed < 110; ++seed)
     EXPECT_EQ(Wall(seed, [](double, double) { return 0.0; }).planes(), 1U) << seed;
