@@ -219,8 +219,10 @@ void compare(const Case& c, const char* source, const Surfaces& surfaces, Result
     result.width_all.add(s.rectangle.width, plane.width);
     result.area_all.add(s.area, plane.area, plane.area);
     if (plane.visible_fraction >= whole) {
-      result.length.add(s.rectangle.length, plane.length);
-      result.width.add(s.rectangle.width, plane.width);
+      if (is_rectangle) {
+        result.length.add(s.rectangle.length, plane.length);
+        result.width.add(s.rectangle.width, plane.width);
+      }
       result.area.add(s.area, plane.area, plane.area);
       if (class_info(plane.class_id).name == "monitor" && is_rectangle && plane.width > 0.15) {
         result.monitor.add(s.rectangle.length, plane.length);

@@ -30,6 +30,7 @@ struct Work {
   std::vector<double> scale;     ///< longest side that a triangle at the sample may have
   std::vector<char> kept;        ///< triangle stands for something measured and has a corner inside
   double spacing = 0.0;
+  std::vector<char> goes_on_behind;  ///< by other surface: this one is seen on both sides of it
 
   [[nodiscard]] bool inside(std::uint32_t s) const { return kind[s] == SampleKind::inside; }
   [[nodiscard]] double distance(std::uint32_t a, std::uint32_t b) const {
@@ -119,6 +120,36 @@ void measure_scale(Work& work) {
   }
 }
 
+/// A thing that stands before a wall touches it, but the wall goes on behind it: it is seen on the
+/// far side of the thing's plane as well. The floor ends at the wall: nothing of it lies behind.
+void find_what_goes_on(Work& work) {
+  const auto& samples = work.input.samples;
+  const Eigen::Vector3d sensor = work.input.T_cloud_plane * work.input.chart.sensor;
+  work.goes_on_behind.assign(work.surfaces.surfaces.size(), 0);
+  std::vector<char> asked(work.surfaces.surfaces.size(), 0);
+  for (std::size_t o = 0; o < samples.size(); ++o) {
+    if (work.kind[o] != SampleKind::blocked) continue;
+    const std::int32_t other = work.surfaces.plane_of_point[samples[o].point];
+    if (other < 0 || asked[static_cast<std::size_t>(other)]) continue;
+    asked[static_cast<std::size_t>(other)] = 1;
+    const Plane& plane = work.surfaces.surfaces[static_cast<std::size_t>(other)].plane;
+    const double side = plane.normal.dot(sensor) >= plane.offset ? 1.0 : -1.0;
+    // In the frame of this surface: side * (a . x - b) is the height over the other plane.
+    const Eigen::Vector3d a = work.input.T_cloud_plane.linear().transpose() * plane.normal;
+    const double b = plane.offset - plane.normal.dot(work.input.T_cloud_plane.translation());
+    std::size_t inside = 0;
+    std::size_t behind = 0;
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      if (work.kind[k] != SampleKind::inside) continue;
+      ++inside;
+      behind += side * (a.head<2>().dot(samples[k].plane) - b) < -3.0 * work.gate;
+    }
+    constexpr double share = 0.02;
+    work.goes_on_behind[static_cast<std::size_t>(other)] =
+        static_cast<double>(behind) > std::max(3.0, share * static_cast<double>(inside));
+  }
+}
+
 void choose_triangles(Work& work) {
   const auto& samples = work.input.samples;
   work.kept.resize(work.mesh.triangles.size());
@@ -153,9 +184,10 @@ EdgeKind kind_between(const Work& work, std::uint32_t i, std::uint32_t j) {
   if (other >= 0) {
     const Plane& plane = work.surfaces.surfaces[static_cast<std::size_t>(other)].plane;
     const bool upright = std::abs(plane.normal.dot(work.input.T_cloud_plane.linear().col(2))) < 0.9;
-    return upright && std::abs(plane.normal.dot(p) - plane.offset) <= step + work.gate
-               ? EdgeKind::true_edge
-               : EdgeKind::occlusion;
+    if (!upright || std::abs(plane.normal.dot(p) - plane.offset) > step + work.gate)
+      return EdgeKind::occlusion;
+    return work.goes_on_behind[static_cast<std::size_t>(other)] ? EdgeKind::occlusion
+                                                                : EdgeKind::true_edge;
   }
   return (work.cloud.points[out.point] - p).norm() <= 2.0 * step + work.gate ? EdgeKind::true_edge
                                                                              : EdgeKind::occlusion;
@@ -352,7 +384,7 @@ void widen_open_edges(const Work& work, const std::vector<std::int32_t>& node_of
 
 Outline find_outline(const PointCloud& cloud, const Surfaces& surfaces, const Surface& surface,
                      const OutlineSamples& samples, double gate) {
-  Work work{cloud, surfaces, surface, samples, gate, {}, {}, {}, {}, 0.0};
+  Work work{cloud, surfaces, surface, samples, gate, {}, {}, {}, {}, 0.0, {}};
   std::vector<Eigen::Vector2d> chart(samples.samples.size());
   for (std::size_t i = 0; i < chart.size(); ++i) chart[i] = samples.samples[i].chart;
   work.mesh = delaunay(chart);
@@ -360,6 +392,7 @@ Outline find_outline(const PointCloud& cloud, const Surfaces& surfaces, const Su
   if (work.mesh.triangles.empty()) return outline;
   correct_specks(work);
   measure_scale(work);
+  if (samples.with_view) find_what_goes_on(work);
   choose_triangles(work);
   outline.spacing = work.spacing;
 

@@ -9,22 +9,25 @@ namespace scanchor {
 namespace {
 
 constexpr double wrong = 0.01;       // share of samples that belong to the other side of the edge
-constexpr double share = 0.6;        // of a row of points that is another face's, where faces meet
 constexpr double most = 3.0;         // one point alone proves little
 constexpr double other = 1.0 / 4.5;  // density of other faces' points: evenly from -1 to 3.5 sigma
+constexpr double lost_share = 0.6;   // of what lies in the plane beyond its points is its own
 
 /// Density of the height of a point of this surface [1/sigma].
 double own(double height) { return std::exp(-0.5 * height * height) / std::sqrt(2.0 * pi); }
 
+/// Points of a row are claimed together, so that two of them tell what one does: half the
+/// logarithm.
+double of_a_row(double p) { return std::sqrt(std::clamp(p, wrong, most)); }
+
 /// P of a point that lies `away` sigma to where the other face goes, claimed by this surface, did
 /// it lie beyond the edge.
 double strange(double away) {
-  if (away < -1.0) return wrong;
-  return std::clamp(share * other / std::max(own(away), 1e-9), wrong, most);
+  return away < -1.0 ? of_a_row(wrong) : of_a_row(other / std::max(own(away), 1e-9));
 }
 
 /// The same for a point outside: of this surface, but claimed by another.
-double lost(double height) { return std::clamp(share / other * own(height), wrong, most); }
+double lost(double height) { return of_a_row(lost_share / other * own(height)); }
 
 }  // namespace
 
@@ -61,10 +64,17 @@ SideLikelihood::SideLikelihood(const Side& side, double sigma, const RectangleEv
                      (before || (*evidence.foot - middle).dot(normal) > side.position);
   // Such points make one row of rays, or little more.
   const double row = side.position - 1.25 * side.gap;
-  for (Sample& s : inside_)
-    s.value = std::log(folds && s.across > row ? strange(before ? s.value : -s.value) : wrong);
-  for (Sample& s : outside_)
-    s.value = std::log(evidence.outside_height.empty() ? wrong : lost(s.value));
+  if (evidence.inside_height.empty()) {
+    for (auto* samples : {&inside_, &outside_}) {
+      for (Sample& s : *samples) s.value = std::log(wrong);
+    }
+    return;
+  }
+  for (Sample& s : inside_) {
+    s.value =
+        std::log(folds && s.across > row ? strange(before ? s.value : -s.value) : of_a_row(wrong));
+  }
+  for (Sample& s : outside_) s.value = std::log(lost(s.value));
 }
 
 void SideLikelihood::set_step(double step) {

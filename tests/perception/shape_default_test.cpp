@@ -88,7 +88,8 @@ TEST(DefaultShape, ManyRectanglesAreCoveredByTheirIntervals) {
     EXPECT_LE(covered, 0.98 * rounds);
   }
   EXPECT_GE(rectangles, 0.98 * rounds);
-  EXPECT_LT(std::abs(bias), 0.005);
+  // At sides beyond which a face could turn away a row of points is given the benefit of the doubt.
+  EXPECT_LT(std::abs(bias), 0.01);
 }
 
 TEST(DefaultShape, AMonitorIsMeasuredToAFewMillimetres) {
