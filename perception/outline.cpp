@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "perception/outline_contacts.hpp"
 #include "perception/polygon_union_find.hpp"
 
 namespace scanchor {
@@ -117,36 +118,6 @@ void measure_scale(Work& work) {
     for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) values.push_back(own[neighbour[k]]);
     if (!values.empty())
       work.scale[i] = bridged * std::max(median(values), std::min(own[i], 2.0 * median(values)));
-  }
-}
-
-/// A thing that stands before a wall touches it, but the wall goes on behind it: it is seen on the
-/// far side of the thing's plane as well. The floor ends at the wall: nothing of it lies behind.
-void find_what_goes_on(Work& work) {
-  const auto& samples = work.input.samples;
-  const Eigen::Vector3d sensor = work.input.T_cloud_plane * work.input.chart.sensor;
-  work.goes_on_behind.assign(work.surfaces.surfaces.size(), 0);
-  std::vector<char> asked(work.surfaces.surfaces.size(), 0);
-  for (std::size_t o = 0; o < samples.size(); ++o) {
-    if (work.kind[o] != SampleKind::blocked) continue;
-    const std::int32_t other = work.surfaces.plane_of_point[samples[o].point];
-    if (other < 0 || asked[static_cast<std::size_t>(other)]) continue;
-    asked[static_cast<std::size_t>(other)] = 1;
-    const Plane& plane = work.surfaces.surfaces[static_cast<std::size_t>(other)].plane;
-    const double side = plane.normal.dot(sensor) >= plane.offset ? 1.0 : -1.0;
-    // In the frame of this surface: side * (a . x - b) is the height over the other plane.
-    const Eigen::Vector3d a = work.input.T_cloud_plane.linear().transpose() * plane.normal;
-    const double b = plane.offset - plane.normal.dot(work.input.T_cloud_plane.translation());
-    std::size_t inside = 0;
-    std::size_t behind = 0;
-    for (std::size_t k = 0; k < samples.size(); ++k) {
-      if (work.kind[k] != SampleKind::inside) continue;
-      ++inside;
-      behind += side * (a.head<2>().dot(samples[k].plane) - b) < -3.0 * work.gate;
-    }
-    constexpr double share = 0.02;
-    work.goes_on_behind[static_cast<std::size_t>(other)] =
-        static_cast<double>(behind) > std::max(3.0, share * static_cast<double>(inside));
   }
 }
 
@@ -392,7 +363,7 @@ Outline find_outline(const PointCloud& cloud, const Surfaces& surfaces, const Su
   if (work.mesh.triangles.empty()) return outline;
   correct_specks(work);
   measure_scale(work);
-  if (samples.with_view) find_what_goes_on(work);
+  if (samples.with_view) work.goes_on_behind = goes_on_behind(surfaces, samples, gate);
   choose_triangles(work);
   outline.spacing = work.spacing;
 

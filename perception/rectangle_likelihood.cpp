@@ -89,7 +89,7 @@ void SideLikelihood::set_step(double step) {
 }
 
 double SideLikelihood::operator()(double turn, double start, SideHistogram& likelihood) const {
-  const double step = step_;
+  const double per_step = 1.0 / step_;
   const int window = window_;
   SideHistogram in{};
   SideHistogram out{};
@@ -101,7 +101,7 @@ double SideLikelihood::operator()(double turn, double start, SideHistogram& like
   const double c = std::cos(turn);
   const double s = std::sin(turn);
   for (const auto& p : inside_) {
-    const double x = (c * p.across + s * p.along - start) / step;
+    const double x = (c * p.across + s * p.along - start) * per_step;
     if (x < 0.0) continue;
     astray_total += p.value;
     if (x >= side_bins) continue;
@@ -109,7 +109,7 @@ double SideLikelihood::operator()(double turn, double start, SideHistogram& like
     astray[static_cast<std::size_t>(x)] += p.value;
   }
   for (const auto& p : outside_) {
-    const double x = (c * p.across + s * p.along - start) / step;
+    const double x = (c * p.across + s * p.along - start) * per_step;
     if (x < 0.0) {
       out_near += 1.0;
       lost_near += p.value;
@@ -137,11 +137,12 @@ double SideLikelihood::operator()(double turn, double start, SideHistogram& like
   for (int k = 0; k < side_bins; ++k) {
     const int first = std::max(0, k - window);
     const int last = std::min(side_bins - 1, k + window);
-    const double in_below = first > 0 ? prefix_in[static_cast<std::size_t>(first - 1)] : 0.0;
-    const double in_above = astray_total - prefix_astray[static_cast<std::size_t>(last)];
-    const double out_below =
-        first > 0 ? prefix_lost[static_cast<std::size_t>(first - 1)] : lost_near;
-    const double out_above = out_total - prefix_out[static_cast<std::size_t>(last)];
+    const auto f = static_cast<std::size_t>(first);
+    const auto l = static_cast<std::size_t>(last);
+    const double in_below = first > 0 ? prefix_in[f - 1] : 0.0;
+    const double in_above = astray_total - prefix_astray[l];
+    const double out_below = first > 0 ? prefix_lost[f - 1] : lost_near;
+    const double out_above = out_total - prefix_out[l];
     double sum = (in_below + out_above) * good + in_above + out_below;
     for (int j = first; j <= last; ++j) {
       const double i = in[static_cast<std::size_t>(j)];
@@ -152,7 +153,7 @@ double SideLikelihood::operator()(double turn, double start, SideHistogram& like
     likelihood[static_cast<std::size_t>(k)] = sum;
     greatest = std::max(greatest, sum);
   }
-  constexpr double nothing = -80.0;  // e^-80 beside 1 is lost in rounding
+  constexpr double nothing = -40.0;  // e^-40 beside 1 is lost in rounding
   for (double& l : likelihood) l = l - greatest > nothing ? std::exp(l - greatest) : 0.0;
   return greatest;
 }

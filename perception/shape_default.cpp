@@ -132,7 +132,7 @@ bool is_hidden(const PointCloud& cloud, const ShapeView& view, const Surface& su
   Eigen::Vector3d hit = Eigen::Vector3d::Zero();
   for (const std::uint32_t i : view.points(cell)) {
     const Eigen::Vector3d q = cloud.points[i];
-    const double cosine = direction.dot((q - view.sensor()).normalized());
+    const double cosine = direction.dot(view.direction(i));
     if (cosine > best ||
         (cosine == best &&
          std::lexicographical_compare(q.data(), q.data() + 3, hit.data(), hit.data() + 3))) {
