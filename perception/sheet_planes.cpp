@@ -165,9 +165,10 @@ class SheetFinder {
   }
 
   // Do these points share their squares with those of `other`, and are the squares as high as one
-  // plane through all? Then two planes parted the points of one by their noise.
+  // plane through all? Then two planes parted the points of one by their noise. `scatter`: of that
+  // plane, relative to the map's.
   [[nodiscard]] bool is_mixed_in(const CanonicalCloud& cloud, const HeightMap& other,
-                                 std::span<const std::uint32_t> points) const {
+                                 std::span<const std::uint32_t> points, double scatter) const {
     constexpr std::size_t fewest = 3;
     std::vector<std::size_t> squares;
     std::size_t shared = 0;
@@ -184,7 +185,7 @@ class SheetFinder {
       const double d = map_.height[at] - ground_.at(map_.place(at));
       misfit += map_.weight[at] * d * d;
     }
-    return misfit < 1.5 * static_cast<double>(squares.size());
+    return misfit < 1.5 * std::max(1.0, scatter * scatter) * static_cast<double>(squares.size());
   }
 
  private:
@@ -386,10 +387,12 @@ void split_sheets(const CanonicalCloud& cloud, PlaneLabels& labels, const BeamNo
     while (sheets < most_sheets && finder.find(sheets, whole.sigma)) ++sheets;
     if (sheets == 0) {
       for (const auto q : near) {
-        if (!finder.is_mixed_in(cloud, alone, members[q])) continue;
         Moments both = labels.planes[r].moments;
         both.add(labels.planes[q].moments);
-        labels.planes[r] = grown_plane(both, noise);
+        const GrownPlane one = grown_plane(both, noise);
+        // The halves of a wall that noise parted scatter by less than the wall does.
+        if (!finder.is_mixed_in(cloud, alone, members[q], one.sigma / whole.sigma)) continue;
+        labels.planes[r] = one;
         labels.planes[q].moments = Moments{};
         settled[q] = 1;
         for (const auto p : members[q]) labels.of_point[p] = static_cast<std::int32_t>(r);

@@ -185,22 +185,34 @@ void overgrow(Work& work, const std::vector<Moments>& fixed) {
 // Planes that meet in a leaf or in two neighbouring leaves.
 std::vector<std::pair<std::int32_t, std::int32_t>> meeting_planes(
     const PointPool& pool, const std::vector<std::int32_t>& label) {
+  // Labels of each leaf, each once.
+  std::vector<std::uint32_t> start(1, 0);
+  std::vector<std::int32_t> labels;
+  for (std::uint32_t l = 0; l < pool.leaf.size(); ++l) {
+    const Cell& cell = pool.cell(l);
+    for (auto p = cell.begin; p < cell.end; ++p) {
+      if (label[p] >= 0 &&
+          std::find(labels.begin() + start.back(), labels.end(), label[p]) == labels.end())
+        labels.push_back(label[p]);
+    }
+    start.push_back(static_cast<std::uint32_t>(labels.size()));
+  }
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
-  std::vector<std::int32_t> here;
+  std::vector<std::int32_t> here, before;
   for (std::uint32_t l = 0; l < pool.leaf.size(); ++l) {
     here.clear();
-    const auto look = [&](std::uint32_t leaf) {
-      const Cell& cell = pool.cell(leaf);
-      for (auto p = cell.begin; p < cell.end; ++p) {
-        if (label[p] >= 0) here.push_back(label[p]);
-      }
+    const auto look = [&](std::int32_t one) {
+      if (std::find(here.begin(), here.end(), one) == here.end()) here.push_back(one);
     };
-    look(l);
-    for (auto k = pool.start[l]; k < pool.start[l + 1]; ++k) look(pool.to[k]);
-    for (auto k = pool.region_start[l]; k < pool.region_start[l + 1]; ++k)
-      here.push_back(pool.regions[k]);
+    const auto look_at = [&](std::uint32_t leaf) {
+      for (auto k = start[leaf]; k < start[leaf + 1]; ++k) look(labels[k]);
+    };
+    look_at(l);
+    for (auto k = pool.start[l]; k < pool.start[l + 1]; ++k) look_at(pool.to[k]);
+    for (auto k = pool.region_start[l]; k < pool.region_start[l + 1]; ++k) look(pool.regions[k]);
     std::sort(here.begin(), here.end());
-    here.erase(std::unique(here.begin(), here.end()), here.end());
+    if (here == before) continue;  // as next door
+    before = here;
     for (std::size_t i = 0; i < here.size(); ++i) {
       for (std::size_t j = i + 1; j < here.size(); ++j) pairs.emplace_back(here[i], here[j]);
     }

@@ -108,26 +108,71 @@ TEST(FindPlanes, SameBytesForAnyOrderAndThreads) {
   }
 }
 
+// Up to rounding: a point on the border of a cell may change sides. Of 170 motions of ten rooms at
+// five noises none lost a surface, and at most two points in 100,000 changed theirs.
 TEST(FindPlanes, SameSurfacesAfterARigidMotion) {
-  auto scan = room(23, 0.01);
+  const auto scan = room(23, 0.01);
   const Surfaces before = find_planes(scan.cloud, planes_only());
-  const Eigen::Isometry3d motion(Eigen::Translation3d(12, -7, 3) *
-                                 Eigen::AngleAxisd(0.9, Eigen::Vector3d(1, 2, -1).normalized()));
-  for (auto& p : scan.cloud.points) p = motion * p;
-  for (auto& pose : scan.cloud.sensor_poses) pose = motion * pose;
-  const Surfaces after = find_planes(scan.cloud, planes_only());
-  // Up to rounding: a point on a border may change sides, no more than one in a thousand.
-  std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> pairs;
-  for (std::size_t i = 0; i < scan.cloud.size(); ++i)
-    ++pairs[{before.plane_of_point[i], after.plane_of_point[i]}];
-  std::map<std::int32_t, std::size_t> best;
-  for (const auto& [pair, n] : pairs) best[pair.first] = std::max(best[pair.first], n);
-  std::size_t same = 0;
-  for (const auto& [id, n] : best) same += n;
-  EXPECT_GT(static_cast<double>(same), 0.999 * static_cast<double>(scan.cloud.size()));
-  for (std::size_t s = 0; s < std::min<std::size_t>(5, before.surfaces.size()); ++s) {
-    const Eigen::Vector3d turned = motion.linear() * before.surfaces[s].plane.normal;
-    EXPECT_LT((turned - after.surfaces[s].plane.normal).norm(), 1e-3) << s;
+  SequentialRandom random(31);
+  for (int k = 0; k < 12; ++k) {
+    const Eigen::Quaterniond turn(random.normal(), random.normal(), random.normal(),
+                                  random.normal());
+    const double far = k < 6 ? 20.0 : 1e5;
+    const Eigen::Isometry3d motion =
+        Eigen::Translation3d(random.uniform(-far, far), random.uniform(-far, far),
+                             random.uniform(-far, far)) *
+        turn.normalized();
+    PointCloud moved = scan.cloud;
+    for (auto& p : moved.points) p = motion * p;
+    for (auto& pose : moved.sensor_poses) pose = motion * pose;
+    const Surfaces after = find_planes(moved, planes_only());
+    ASSERT_EQ(before.surfaces.size(), after.surfaces.size()) << k;
+    std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> pairs;
+    for (std::size_t i = 0; i < moved.size(); ++i)
+      ++pairs[{before.plane_of_point[i], after.plane_of_point[i]}];
+    std::map<std::int32_t, std::pair<std::size_t, std::int32_t>> best;
+    for (const auto& [pair, n] : pairs)
+      best[pair.first] = std::max(best[pair.first], {n, pair.second});
+    std::size_t same = 0;
+    for (const auto& [id, most] : best) {
+      same += most.first;
+      if (id < 0) continue;
+      const Surface &one = before.surfaces[static_cast<std::size_t>(id)],
+                    &two = after.surfaces[static_cast<std::size_t>(most.second)];
+      EXPECT_GT(static_cast<double>(most.first), 0.98 * static_cast<double>(one.inliers.size()));
+      EXPECT_GT(static_cast<double>(most.first), 0.98 * static_cast<double>(two.inliers.size()));
+    }
+    EXPECT_GT(static_cast<double>(same), 0.9998 * static_cast<double>(moved.size())) << k;
+    for (std::size_t s = 0; s < 5; ++s) {
+      const Eigen::Vector3d turned = motion.linear() * before.surfaces[s].plane.normal;
+      EXPECT_LT((turned - after.surfaces[s].plane.normal).norm(), 1e-5) << s;
+    }
+  }
+}
+
+// Cells that an edge runs through are not flat; their points find their walls all the same.
+TEST(FindPlanes, WallsOfABoxToTheirEdges) {
+  SequentialRandom random(2);
+  PointCloud cloud;
+  for (int i = 0; i < 60000; ++i) {
+    Eigen::Vector3d p(3.0 * random.uniform(), 2.0 * random.uniform(), 1.5 * random.uniform());
+    p[i % 3] = (i % 6 < 3 ? 0.0 : Eigen::Vector3d(3.0, 2.0, 1.5)[i % 3]) + 0.006 * random.normal();
+    cloud.points.push_back(p);
+  }
+  const Surfaces found = find_planes(cloud, planes_only());
+  // Bevels of some 20-60 points may be left at the edges, where no sensor says what was seen.
+  ASSERT_GE(found.surfaces.size(), 6U);
+  std::size_t in_walls = 0;
+  for (std::size_t s = 0; s < 6; ++s) in_walls += found.surfaces[s].inliers.size();
+  EXPECT_GT(in_walls, 59000U);
+  std::map<std::pair<std::size_t, std::int32_t>, int> count;
+  for (std::size_t i = 0; i < cloud.size(); ++i) ++count[{i % 6, found.plane_of_point[i]}];
+  for (std::size_t wall = 0; wall < 6; ++wall) {
+    int most = 0;
+    for (const auto& [key, n] : count) {
+      if (key.first == wall && key.second >= 0) most = std::max(most, n);
+    }
+    EXPECT_GT(most, 9700) << wall;  // of 10,000; three sigma hold 99.7 %, edges mix
   }
 }
 
