@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 namespace scanchor {
 namespace {
@@ -30,6 +31,20 @@ BoundaryRing finish(const std::vector<Eigen::Vector2d>& nodes,
   Ring ring(ring_nodes.size());
   for (std::size_t i = 0; i < ring.size(); ++i) ring[i] = nodes[ring_nodes[i]];
   return {std::move(ring_nodes), std::move(kinds), component, ring_area(ring)};
+}
+
+/// A millionth of the shorter edge into the region on the right of a ring at its vertex i.
+Eigen::Vector2d moved_right(const Ring& ring, std::size_t i) {
+  const Eigen::Vector2d& p = ring[i];
+  const Eigen::Vector2d to = ring[(i + 1) % ring.size()] - p;
+  const Eigen::Vector2d from = ring[(i + ring.size() - 1) % ring.size()] - p;
+  Eigen::Vector2d middle = to.normalized() + from.normalized();
+  const double turn = to.x() * from.y() - to.y() * from.x();  // positive: from lies left of to
+  if (middle.norm() < 1e-9)
+    middle = Eigen::Vector2d(to.y(), -to.x());
+  else if (turn > 0.0)
+    middle = -middle;  // the wedge between the edges lies on the left
+  return p + 1e-6 * std::min(to.norm(), from.norm()) * middle.normalized();
 }
 
 }  // namespace
@@ -102,14 +117,22 @@ std::vector<Polygon> rings_to_polygons(const std::vector<Eigen::Vector2d>& nodes
                                        const std::vector<BoundaryRing>& rings) {
   std::vector<Polygon> polygons;
   std::uint32_t component = 0;
+  std::set<std::uint32_t> taken;  // nodes of the polygon so far
   for (const BoundaryRing& ring : rings) {
     Ring points;
     for (const std::uint32_t n : ring.nodes) points.push_back(nodes[n]);
     if (ring.area > 0.0) {
       polygons.push_back({std::move(points), {}, ring.kinds});
       component = ring.component;
+      taken = {ring.nodes.begin(), ring.nodes.end()};
     } else if (ring.area < 0.0 && !polygons.empty() && ring.component == component) {
-      polygons.back().holes.push_back(std::move(points));
+      // Where a hole touches the outer ring or another hole, it gives way a hair.
+      Ring apart = points;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        if (taken.count(ring.nodes[i]) > 0) apart[i] = moved_right(points, i);
+      }
+      taken.insert(ring.nodes.begin(), ring.nodes.end());
+      polygons.back().holes.push_back(std::move(apart));
     }
   }
   std::stable_sort(polygons.begin(), polygons.end(), [](const Polygon& a, const Polygon& b) {

@@ -34,7 +34,8 @@ struct BoundaryRing {
 std::vector<BoundaryRing> chain_rings(const std::vector<Eigen::Vector2d>& nodes,
                                       const std::vector<BoundarySegment>& segments);
 
-/// The polygons of the rings as they are: one a component, largest first, its holes behind it.
+/// The polygons of the rings as they are: one a component, largest first, its holes behind it. A
+/// hole that touches another ring in a node is made smaller there by a millionth of its edges.
 std::vector<Polygon> rings_to_polygons(const std::vector<Eigen::Vector2d>& nodes,
                                        const std::vector<BoundaryRing>& rings);
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 
 #include "core/json.hpp"
@@ -157,6 +158,87 @@ TEST(FindShapes, FewPointsLinesAndDuplicatesAreSurvived) {
   Surfaces none;
   find_shapes({}, {}, none);
   EXPECT_TRUE(none.surfaces.empty());
+}
+
+/// What no surface may be, whatever its points.
+void expect_sane(const Surface& s, const PointCloud& cloud) {
+  for (const Measured& m : {s.rectangle.length, s.rectangle.width, s.area}) {
+    EXPECT_TRUE(std::isfinite(m.low) && std::isfinite(m.high));
+    EXPECT_GE(m.value, 0.0);
+    EXPECT_LE(m.low, m.value + 1e-9);
+    EXPECT_LE(m.value, m.high + 1e-9);
+  }
+  EXPECT_GE(s.rectangularness, 0.0);
+  EXPECT_LE(s.rectangularness, 1.0);
+  EXPECT_GE(s.eccentricity, 0.0);
+  EXPECT_LT(s.eccentricity, 1.0);
+  Eigen::AlignedBox3d box;
+  for (const std::uint32_t i : s.inliers) box.extend(cloud.points[i]);
+  EXPECT_LE(s.rectangle.length.value, 2.0 * box.diagonal().norm() + 0.5);
+  for (const Polygon& polygon : s.polygons) EXPECT_TRUE(is_valid(polygon));
+}
+
+TEST(FindShapes, NothingAbsurdComesOutOfAnything) {
+  // Up to eight things called planes, of 1 to 600 points: patches from a millimetre to metres,
+  // lines, single places, lattices without noise, rings, patches with half of the points in one
+  // place, domes, frames, clouds; also far from the origin, also with points at the scanner itself.
+  enum Kind { patch, line, place, lattice, ring, heap, dome, frame, cloud, kinds };
+  for (std::uint64_t round = 0; round < 150; ++round) {
+    SequentialRandom random(stream_seed(5, "anything", round));
+    const Eigen::Vector3d sensor =
+        random.chance(0.3) ? Eigen::Vector3d(5e5, 5.5e6, 300) : Eigen::Vector3d(0, 0, 0);
+    const double sigma = random.chance(0.3) ? 0.0 : random.uniform(0.001, 0.05);
+    PointCloud points;
+    std::vector<int> label;
+    const int things = 1 + static_cast<int>(random.below(8));
+    for (int thing = 0; thing < things; ++thing) {
+      const Eigen::Vector3d center =
+          sensor +
+          Eigen::Vector3d(random.uniform(-4, 4), random.uniform(-4, 4), random.uniform(-2, 2));
+      const Eigen::Matrix3d turn =
+          (Eigen::AngleAxisd(random.uniform(0, 6.3), Eigen::Vector3d::UnitZ()) *
+           Eigen::AngleAxisd(random.uniform(0, 3.2), Eigen::Vector3d::UnitX()))
+              .toRotationMatrix();
+      const auto kind = static_cast<Kind>(random.below(kinds));
+      const int count = 1 + static_cast<int>(random.below(random.chance(0.3) ? 5 : 600));
+      const double a = std::pow(10.0, random.uniform(-3, 0.7));
+      const double b = std::pow(10.0, random.uniform(-3, 0.7));
+      for (int i = 0; i < count; ++i) {
+        double x = a * random.uniform(-1, 1);
+        double y = b * random.uniform(-1, 1);
+        double z = sigma * random.normal();
+        if (kind == line) y = 0;
+        if (kind == place || (kind == heap && i % 2 == 1)) x = y = z = 0;
+        if (kind == lattice) x = std::floor(20 * x) / 20, y = std::floor(20 * y) / 20, z = 0;
+        if (kind == ring) {
+          const double angle = random.uniform(0, 6.3);
+          x = a * std::cos(angle), y = b * std::sin(angle);
+        }
+        if (kind == dome) z = 0.2 * std::sqrt(std::max(0.0, 1 - x * x / (a * a)));
+        if (kind == frame && std::abs(x) < 0.5 * a && std::abs(y) < 0.5 * b)
+          x += x > 0 ? 0.5 * a : -0.5 * a;
+        if (kind == cloud && i % 3 == 0) z = random.uniform(-1, 1);
+        points.points.push_back(center + turn * Eigen::Vector3d(x, y, z));
+        label.push_back(random.chance(0.03) ? -1 : thing);
+      }
+    }
+    if (random.chance(0.1)) {
+      points.points.insert(points.points.end(), 20, sensor);
+      label.insert(label.end(), 20, 0);
+    }
+    const ShapeScan scan = testing::surfaces_from_labels(
+        points, label, random.chance(0.8) ? &sensor : nullptr, sigma, 1 + random.below(4));
+    for (const std::string method : {"default", "paper"}) {
+      PerceiveOptions options;
+      options.method = method;
+      Surfaces surfaces = scan.surfaces;
+      find_shapes(scan.cloud, options, surfaces);
+      for (const Surface& s : surfaces.surfaces) {
+        expect_sane(s, scan.cloud);
+        ASSERT_FALSE(::testing::Test::HasFailure()) << "round " << round << ", " << method;
+      }
+    }
+  }
 }
 
 }  // namespace
