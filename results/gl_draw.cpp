@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "results/gl_functions.hpp"
 #include "results/gl_geometry.hpp"
 #include "results/gl_shaders.hpp"
@@ -347,15 +348,17 @@ class Renderer {
     Frame frame;
     frame.image = {width, height, std::vector<std::uint8_t>(3 * pixels)};
     frame.distance.resize(pixels);
-    for (std::size_t y = 0; y < std::size_t(height); ++y) {  // OpenGL's first row is the lowest.
-      const std::size_t from = (std::size_t(height) - 1 - y) * row;
-      for (std::size_t x = 0; x < row; ++x) {
-        std::memcpy(&frame.image.rgb[3 * (y * row + x)], &rgba_[4 * (from + x)], 3);
-        const float depth = depth_[from + x];
-        frame.distance[y * row + x] =
-            depth < 1.0F ? float(projection.distance_of_depth(double(depth))) : 0.0F;
+    parallel_blocks(std::size_t(height), 64, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t y = begin; y < end; ++y) {  // OpenGL's first row is the lowest.
+        const std::size_t from = (std::size_t(height) - 1 - y) * row;
+        for (std::size_t x = 0; x < row; ++x) {
+          std::memcpy(&frame.image.rgb[3 * (y * row + x)], &rgba_[4 * (from + x)], 3);
+          const float depth = depth_[from + x];
+          frame.distance[y * row + x] =
+              depth < 1.0F ? float(projection.distance_of_depth(double(depth))) : 0.0F;
+        }
       }
-    }
+    });
     return frame;
   }
 
