@@ -117,22 +117,14 @@ std::vector<Polygon> rings_to_polygons(const std::vector<Eigen::Vector2d>& nodes
                                        const std::vector<BoundaryRing>& rings) {
   std::vector<Polygon> polygons;
   std::uint32_t component = 0;
-  std::set<std::uint32_t> taken;  // nodes of the polygon so far
   for (const BoundaryRing& ring : rings) {
     Ring points;
     for (const std::uint32_t n : ring.nodes) points.push_back(nodes[n]);
     if (ring.area > 0.0) {
       polygons.push_back({std::move(points), {}, ring.kinds});
       component = ring.component;
-      taken = {ring.nodes.begin(), ring.nodes.end()};
     } else if (ring.area < 0.0 && !polygons.empty() && ring.component == component) {
-      // Where a hole touches the outer ring or another hole, it gives way a hair.
-      Ring apart = points;
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        if (taken.count(ring.nodes[i]) > 0) apart[i] = moved_right(points, i);
-      }
-      taken.insert(ring.nodes.begin(), ring.nodes.end());
-      polygons.back().holes.push_back(std::move(apart));
+      polygons.back().holes.push_back(std::move(points));
     }
   }
   std::stable_sort(polygons.begin(), polygons.end(), [](const Polygon& a, const Polygon& b) {
@@ -141,6 +133,18 @@ std::vector<Polygon> rings_to_polygons(const std::vector<Eigen::Vector2d>& nodes
     return area_a != area_b ? area_a > area_b : before(a.outer.front(), b.outer.front());
   });
   return polygons;
+}
+
+void part_touching_holes(Polygon& polygon) {
+  const auto less = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return before(a, b); };
+  std::set<Eigen::Vector2d, decltype(less)> taken(polygon.outer.begin(), polygon.outer.end(), less);
+  for (Ring& hole : polygon.holes) {
+    const Ring old = hole;
+    for (std::size_t i = 0; i < old.size(); ++i) {
+      if (taken.count(old[i]) > 0) hole[i] = moved_right(old, i);
+    }
+    taken.insert(old.begin(), old.end());
+  }
 }
 
 }  // namespace scanchor

@@ -34,9 +34,12 @@ struct BoundaryRing {
 std::vector<BoundaryRing> chain_rings(const std::vector<Eigen::Vector2d>& nodes,
                                       const std::vector<BoundarySegment>& segments);
 
-/// The polygons of the rings as they are: one a component, largest first, its holes behind it. A
-/// hole that touches another ring in a node is made smaller there by a millionth of its edges.
+/// The polygons of the rings as they are: one a component, largest first, its holes behind it.
 std::vector<Polygon> rings_to_polygons(const std::vector<Eigen::Vector2d>& nodes,
                                        const std::vector<BoundaryRing>& rings);
+
+/// Where a hole shares a vertex with the outer ring or another hole it gives way by a millionth of
+/// its edges there, so that no two rings touch (polygon_check.hpp).
+void part_touching_holes(Polygon& polygon);
 
 }  // namespace scanchor

@@ -5,6 +5,7 @@
 
 #include "perception/alpha_shape.hpp"
 #include "perception/hough_rectangle.hpp"
+#include "perception/polygon_rings.hpp"
 #include "perception/shape_common.hpp"
 
 namespace scanchor {
@@ -22,6 +23,7 @@ void shape_as_paper(const PointCloud& cloud, Surface& surface) {
   const Triangulation triangulation = delaunay(flat.points);
   const double radius = radius_in_spacings * median_spacing(flat.points, triangulation);
   surface.polygons = alpha_shape(flat.points, triangulation, radius);
+  for (Polygon& polygon : surface.polygons) part_touching_holes(polygon);
   surface.eccentricity = ellipse_eccentricity(flat.points);
 
   double area = 0.0;

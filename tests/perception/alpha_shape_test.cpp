@@ -77,7 +77,7 @@ TEST(AlphaShape, IsTheRegularizedShapeOfCgal) {
         sum += polygon.area();
       }
       EXPECT_EQ(found, expected) << "seed " << seed << ", radius " << radius;
-      EXPECT_NEAR(sum, area, 1e-6);  // holes that touch give way a hair
+      EXPECT_NEAR(sum, area, 1e-12);
     }
   }
 }

@@ -42,8 +42,10 @@ TEST(Rings, AHoleThatTouchesTheOutlineIsCutOff) {
     ASSERT_EQ(rings.size(), 2U);
     EXPECT_DOUBLE_EQ(rings[0].area, 16.0);
     EXPECT_DOUBLE_EQ(rings[1].area, -1.5);
-    const auto polygons = rings_to_polygons(nodes, rings);
+    auto polygons = rings_to_polygons(nodes, rings);
     ASSERT_EQ(polygons.size(), 1U);
+    EXPECT_DOUBLE_EQ(polygons[0].area(), 14.5);
+    part_touching_holes(polygons[0]);
     EXPECT_NEAR(polygons[0].area(), 14.5, 1e-5);
     EXPECT_TRUE(is_valid(polygons[0])) << "rings of a polygon do not touch";
   }
