@@ -32,36 +32,56 @@ struct Sheet {
   Eigen::Vector3d normal;
   double offset;
   Eigen::AlignedBox3d box;
+  double area;
 };
 
-/// Faces of walls and ceilings that turn their back to the eye.
-std::vector<Sheet> hidden_sheets(const Scene& scene, const Eigen::Vector3d& eye) {
+/// The planes of a wall or ceiling.
+std::vector<Sheet> sheets_of(const Instance& instance) {
   std::vector<Sheet> sheets;
-  for (const Instance& instance : scene.instances) {
-    if (!is_shell(instance)) continue;
-    for (const Part& part : instance.parts) {
-      const Eigen::Isometry3d pose = instance.T_world_instance * part.T_instance_part;
-      for (const Eigen::Vector3i& t : part.triangles) {
-        const Eigen::Vector3d a = pose * part.vertices[std::size_t(t[0])];
-        const Eigen::Vector3d b = pose * part.vertices[std::size_t(t[1])];
-        const Eigen::Vector3d c = pose * part.vertices[std::size_t(t[2])];
-        const Eigen::Vector3d n = (b - a).cross(c - a).normalized();
-        if (n.dot(eye) >= 0.0) continue;
-        Eigen::AlignedBox3d box(a);
-        box.extend(b);
-        box.extend(c);
-        const auto same = std::find_if(sheets.begin(), sheets.end(), [&](const Sheet& s) {
-          return s.normal.dot(n) > 0.999 && std::abs(s.offset - n.dot(a)) < 0.01;
-        });
-        if (same == sheets.end()) {
-          sheets.push_back({n, n.dot(a), box});
-        } else {
-          same->box.extend(box);
-        }
-      }
+  for (const Part& part : instance.parts) {
+    const Eigen::Isometry3d pose = instance.T_world_instance * part.T_instance_part;
+    for (const Eigen::Vector3i& t : part.triangles) {
+      const Eigen::Vector3d a = pose * part.vertices[std::size_t(t[0])];
+      const Eigen::Vector3d b = pose * part.vertices[std::size_t(t[1])];
+      const Eigen::Vector3d c = pose * part.vertices[std::size_t(t[2])];
+      const Eigen::Vector3d across = (b - a).cross(c - a);
+      if (!(across.norm() > 0.0)) continue;
+      const Eigen::Vector3d n = across.normalized();
+      auto same = std::find_if(sheets.begin(), sheets.end(), [&](const Sheet& s) {
+        return s.normal.dot(n) > 0.999 && std::abs(s.offset - n.dot(a)) < 0.01;
+      });
+      if (same == sheets.end()) same = sheets.insert(same, {n, n.dot(a), {}, 0.0});
+      same->box.extend(a);
+      same->box.extend(b);
+      same->box.extend(c);
+      same->area += 0.5 * across.norm();
     }
   }
   return sheets;
+}
+
+/// A wall of one face that turns its back to the eye goes as a whole, with the reveals of its doors
+/// and windows. Of a slab only the faces that look away go.
+bool is_turned_away(const std::vector<Sheet>& sheets, const Eigen::Vector3d& eye) {
+  double away = 0.0, towards = 0.0;
+  for (const Sheet& sheet : sheets) (sheet.normal.dot(eye) < 0.0 ? away : towards) += sheet.area;
+  return away > 2.0 * towards;
+}
+
+/// Faces of walls and ceilings that turn their back to the eye, without narrow ones: nothing hangs
+/// on the reveal of a window.
+std::vector<Sheet> hidden_sheets(const Scene& scene, const Eigen::Vector3d& eye) {
+  std::vector<Sheet> hidden;
+  for (const Instance& instance : scene.instances) {
+    if (!is_shell(instance)) continue;
+    const std::vector<Sheet> sheets = sheets_of(instance);
+    double all = 0.0;
+    for (const Sheet& sheet : sheets) all += sheet.area;
+    for (const Sheet& sheet : sheets) {
+      if (sheet.normal.dot(eye) < 0.0 && sheet.area > 0.2 * all) hidden.push_back(sheet);
+    }
+  }
+  return hidden;
 }
 
 bool hangs_on_hidden(const Instance& instance, const std::vector<Sheet>& sheets) {
@@ -157,6 +177,7 @@ Drawing draw_scene(const Scene& scene, const DrawSceneOptions& options) {
       continue;
     }
     const bool shell = is_shell(instance);
+    if (open && shell && is_turned_away(sheets_of(instance), options.towards_eye)) continue;
     Eigen::AlignedBox3d box;
     for (const Part& part : instance.parts) {
       const Eigen::Isometry3d pose = instance.T_world_instance * part.T_instance_part;

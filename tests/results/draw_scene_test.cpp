@@ -28,6 +28,39 @@ TEST(DrawScene, OpensTheRoomTowardsTheViewer) {
   EXPECT_EQ(triangles(draw_scene(samples::room(), options)), 32u);
 }
 
+/// The sample room with a window in the far wall: a quarter of a metre of reveal on its left side,
+/// which looks to +x, and a frame in it.
+Scene room_with_window() {
+  Scene scene = samples::room();
+  Part& wall = scene.instances[2].parts[0];
+  const int first = int(wall.vertices.size());
+  for (const auto& [y, z] : {std::pair{3.0, 1.0}, {3.25, 1.0}, {3.25, 2.0}, {3.0, 2.0}})
+    wall.vertices.emplace_back(1.0, y, z);
+  wall.triangles.emplace_back(first, first + 1, first + 2);
+  wall.triangles.emplace_back(first, first + 2, first + 3);
+  wall.triangle_face.insert(wall.triangle_face.end(), {0, 0});
+  Instance window;
+  window.id = 99;
+  window.class_id = *find_class("window");
+  window.parts.push_back(box_part("frame", 0, {1.4, 3.2, 1.5}, {0.8, 0.05, 1.0}));
+  scene.instances.push_back(window);
+  return scene;
+}
+
+TEST(DrawScene, AWindowStaysWhereOnlyItsRevealLooksAway) {
+  DrawSceneOptions options;
+  options.towards_eye = towards_eye(-135, 40);  // from -x and -y: the reveal turns its back
+  const Drawing from_left = draw_scene(room_with_window(), options);
+  EXPECT_EQ(triangles(from_left), 28u);  // floor, far wall, desk and the frame
+}
+
+TEST(DrawScene, AWallThatIsTurnedAwayGoesWithItsReveals) {
+  DrawSceneOptions options;
+  options.towards_eye = towards_eye(45, 40);  // from +x and +y: the far wall turns its back
+  const Drawing from_behind = draw_scene(room_with_window(), options);
+  EXPECT_EQ(triangles(from_behind), 28u);  // floor, near wall, desk and the door in it
+}
+
 TEST(DrawScene, ColoursByClassMaterialAndInstance) {
   DrawSceneOptions options;
   options.towards_eye = towards_eye(-90, 40);
