@@ -116,9 +116,13 @@ bool continues(const GrownPlane& region, const Moments& cell, const BeamNoise& n
 }  // namespace
 
 GrownPlane grown_plane(const Moments& moments, const BeamNoise& noise) {
+  return grown_plane(moments, fit_plane_fast(moments), noise);
+}
+
+GrownPlane grown_plane(const Moments& moments, const MomentPlane& plane, const BeamNoise& noise) {
   GrownPlane grown;
   grown.moments = moments;
-  grown.plane = fit_plane_fast(moments);
+  grown.plane = plane;
   const double n = moments.n;
   const double across = noise.across(grown.plane, moments.mean());
   const double scatter =

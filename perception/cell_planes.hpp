@@ -76,5 +76,7 @@ PlaneLabels cell_planes(const CanonicalCloud& cloud, const CellTree& tree, const
 /// times the noise, and not below the noise where the incidence is known, not below a quarter where
 /// it is not.
 GrownPlane grown_plane(const Moments& moments, const BeamNoise& noise);
+/// The same where the plane, fit_plane_fast(moments), is known.
+GrownPlane grown_plane(const Moments& moments, const MomentPlane& plane, const BeamNoise& noise);
 
 }  // namespace scanchor

@@ -59,6 +59,19 @@ struct CellTree {
     const auto from = path.cells[static_cast<std::size_t>(std::min(shared, path.length - 1))];
     return walk(from, code, level, stop, [](std::uint32_t) {});
   }
+  static constexpr std::uint32_t none = 0xFFFFFFFF;
+  /// Bits set in a byte: the base instruction set has none for it, and a call costs more than the
+  /// rest of `find`.
+  static constexpr std::array<std::uint8_t, 256> count_bits = [] {
+    std::array<std::uint8_t, 256> bits{};
+    for (unsigned i = 0; i < 256; ++i) bits[i] = static_cast<std::uint8_t>(std::popcount(i));
+    return bits;
+  }();
+
+  /// Codes of the up to 26 places one cell's side away from cell `at`, in all directions; returns
+  /// their number.
+  int neighbour_codes(const CanonicalCloud& cloud, std::uint32_t at,
+                      std::array<std::uint64_t, 26>& codes) const;
 
  private:
   template <class Stop, class Passed>
@@ -74,21 +87,6 @@ struct CellTree {
       at = cell.child + count_bits[cell.octants & ((1U << octant) - 1U)];
     }
   }
-
- public:
-  static constexpr std::uint32_t none = 0xFFFFFFFF;
-  /// Bits set in a byte: the base instruction set has none for it, and a call costs more than the
-  /// rest of `find`.
-  static constexpr std::array<std::uint8_t, 256> count_bits = [] {
-    std::array<std::uint8_t, 256> bits{};
-    for (unsigned i = 0; i < 256; ++i) bits[i] = static_cast<std::uint8_t>(std::popcount(i));
-    return bits;
-  }();
-
-  /// Codes of the up to 26 places one cell's side away from cell `at`, in all directions; returns
-  /// their number.
-  int neighbour_codes(const CanonicalCloud& cloud, std::uint32_t at,
-                      std::array<std::uint64_t, 26>& codes) const;
 };
 
 /// Splits cells of more than `largest` points whose children are not smaller than `least_side` [m].

@@ -22,9 +22,11 @@ Surfel fit_surfel(const Patch& patch, const BeamNoise& noise) {
   Surfel surfel;
   Moments moments;
   for (std::size_t i = 0; i < patch.x.size(); ++i) moments.add(patch.x[i], patch.y[i], patch.z[i]);
-  for (int round = 0; round < 2; ++round) {
+  MomentPlane plane;
+  bool settled = false;  // the plane is that of `moments`
+  for (int round = 0; round < 2 && !settled; ++round) {
     if (moments.n < fewest) return surfel;
-    const MomentPlane plane = fit_plane_fast(moments);
+    plane = fit_plane_fast(moments);
     const double reach = 2.5 * noise.across(plane, moments.mean());
     Moments next;
     double score = 0.0;
@@ -35,10 +37,12 @@ Surfel fit_surfel(const Patch& patch, const BeamNoise& noise) {
       score += 1.0 - r * r;
     }
     surfel.score = score / static_cast<double>(patch.x.size());
+    // All of the patch lies on it: another round would find the same.
+    settled = round == 0 && next.n == moments.n;
     moments = next;
   }
   if (moments.n < fewest) return surfel;
-  surfel.grown = grown_plane(moments, noise);
+  surfel.grown = settled ? grown_plane(moments, plane, noise) : grown_plane(moments, noise);
   const auto& v = surfel.grown.plane.variances;
   if (v[1] >= breadth * v[0])
     surfel.tilt = noise.across(surfel.grown.plane, moments.mean()) / std::sqrt(moments.n * v[1]);

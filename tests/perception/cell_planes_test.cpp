@@ -71,6 +71,20 @@ TEST(CellPlanes, ACloudOfPointsInSpaceHasNone) {
       250);
 }
 
+TEST(PlaneMembers, AreThePointsOfEachPlaneRising) {
+  PlaneLabels labels;
+  labels.of_point = {2, -1, 0, 2, 0, -1, 2};
+  labels.planes.resize(4);
+  const PlaneMembers members(labels);
+  const auto list = [&](std::size_t r) {
+    return std::vector<std::uint32_t>(members[r].begin(), members[r].end());
+  };
+  EXPECT_EQ(list(0), (std::vector<std::uint32_t>{2, 4}));
+  EXPECT_TRUE(members[1].empty());
+  EXPECT_EQ(list(2), (std::vector<std::uint32_t>{0, 3, 6}));
+  EXPECT_TRUE(members[3].empty());
+}
+
 TEST(CellPlanes, ScatterStaysWithinWhatTheNoiseAllows) {
   Moments moments;
   for (int i = 0; i < 100; ++i) moments.add(i % 10, i / 10, i % 2);

@@ -56,6 +56,33 @@ TEST(CellTree, FindEndsAtTheCellOfAPoint) {
   }
 }
 
+TEST(CellTree, FindNearEndsWhereFindDoes) {
+  const auto cloud = random_cloud(3000);
+  const auto tree = cell_tree(cloud, 8);
+  std::array<std::uint64_t, 26> codes;
+  int none = 0, other = 0;
+  for (const bool stops : {false, true}) {
+    const auto stop = [&](std::uint32_t at) { return stops && tree.cells[at].size() < 40; };
+    for (std::uint32_t at = 0; at < tree.cells.size(); ++at) {
+      const Cell& cell = tree.cells[at];
+      if (cell.children != 0) continue;
+      CellTree::Path path;
+      const auto own = tree.find(cloud.code[cell.begin], cell.level, stop, path);
+      EXPECT_EQ(own, tree.find(cloud.code[cell.begin], cell.level, stop));
+      const int count = tree.neighbour_codes(cloud, at, codes);
+      for (int k = 0; k < count; ++k) {
+        const auto code = codes[static_cast<std::size_t>(k)];
+        const auto near = tree.find_near(path, code, cell.level, stop);
+        EXPECT_EQ(near, tree.find(code, cell.level, stop));
+        none += near == CellTree::none ? 1 : 0;
+        other += near != CellTree::none && near != own ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(none, 100);
+  EXPECT_GT(other, 1000);
+}
+
 // Against the definition: decode the coordinates, step, encode.
 TEST(CellTree, NeighbourCodesAreTheCellsAround) {
   const auto cloud = random_cloud(2000);

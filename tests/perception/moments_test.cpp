@@ -52,5 +52,15 @@ TEST(Moments, MeanSquareIsThatOfThePoints) {
   EXPECT_NEAR(plane.mean_square(moments), squares / 100.0, 1e-12);
 }
 
+TEST(Moments, VariancesAloneAreTheSameToTheLastBit) {
+  SequentialRandom random(77);
+  for (int k = 0; k < 200; ++k) {
+    Moments moments;
+    for (int i = 0; i < 3 + k % 40; ++i)
+      moments.add(5.0 + random.normal(), 0.3 * random.normal(), 0.01 * random.normal() - 2.0);
+    EXPECT_EQ(plane_variances_fast(moments), fit_plane_fast(moments).variances) << k;
+  }
+}
+
 }  // namespace
 }  // namespace scanchor
