@@ -1,3 +1,4 @@
+#include <atomic>
 #include <memory>
 
 #include "core/parallel.hpp"
@@ -17,10 +18,12 @@ void find_shapes(const PointCloud& cloud, const PerceiveOptions& options, Surfac
                                          surfaces.plane_of_point);
     }
   }
-  // Surfaces come largest first: whoever is free takes the next, so the floor does not come last
-  // and alone.
+  // Surfaces come largest first: whoever is free takes the next, so that no thread is left alone
+  // with the floor.
+  std::atomic<std::size_t> next{0};
   parallel_blocks(surfaces.surfaces.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::size_t i = next.fetch_add(1);
       Surface& surface = surfaces.surfaces[i];
       surface.inlier_count = surface.inliers.size();
       if (options.method == "paper") {
