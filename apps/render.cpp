@@ -63,25 +63,40 @@ Eigen::Isometry3d upright(const Labelling& labelling) {
   return T;
 }
 
-Image picture_of_file(const fs::path& input, const Arguments& arguments,
-                      const PictureOptions& options) {
-  const std::string name = input.filename().string();
-  if (name.ends_with("surfaces.json")) return picture_of_surfaces(read_surfaces(input), options);
-  if (name.ends_with("labels.json")) {
+/// labels.json with the surfaces beside it.
+struct Labels {
+  Surfaces surfaces;
+  Labelling labelling;
+  DrawLabelsOptions how;
+
+  Labels(const fs::path& input, const Arguments& arguments) {
     const fs::path beside = input.parent_path() / "surfaces.json";
     if (!fs::exists(beside))
       fail_data(beside.string(), "", "is not there",
                 "labels are drawn on the surfaces that they name: keep both in one folder");
-    const Labelling labelling = labelling_from_json(read_json(input), input.string());
+    labelling = labelling_from_json(read_json(input), input.string());
     const auto entities = static_cast<std::int32_t>(labelling.entities.size());
     if (arguments.relations_of >= entities)
       fail_usage(
           fmt::format("--relations: {} has no thing {}", input.string(), arguments.relations_of),
           fmt::format("things are 0 .. {}, and -2: all", entities - 1));
-    DrawLabelsOptions labels;
-    labels.relations_of = arguments.relations_of;
-    return picture_of_labels(read_surfaces(beside), labelling, options, nullptr, upright(labelling),
-                             labels);
+    how.relations_of = arguments.relations_of;
+    surfaces = read_surfaces(beside);
+  }
+};
+
+bool is_surfaces(const fs::path& input) {
+  return input.filename().string().ends_with("surfaces.json");
+}
+bool is_labels(const fs::path& input) { return input.filename().string().ends_with("labels.json"); }
+
+Image picture_of_file(const fs::path& input, const Arguments& arguments,
+                      const PictureOptions& options) {
+  if (is_surfaces(input)) return picture_of_surfaces(read_surfaces(input), options);
+  if (is_labels(input)) {
+    const Labels labels(input, arguments);
+    return picture_of_labels(labels.surfaces, labels.labelling, options, nullptr,
+                             upright(labels.labelling), labels.how);
   }
   if (input.extension() == ".json") {
     const auto color =
@@ -93,6 +108,19 @@ Image picture_of_file(const fs::path& input, const Arguments& arguments,
   const PointCloud cloud = read_cloud(input);
   require_finite(cloud, input.string());
   return picture_of_cloud(cloud, options, color);
+}
+
+/// Surfaces or labels as paths.
+VectorPicture outlines_of_file(const fs::path& input, const Arguments& arguments,
+                               const PictureOptions& options) {
+  if (is_surfaces(input)) return outlines_of_surfaces(read_surfaces(input), options);
+  if (!is_labels(input)) {
+    fail_usage("--out: an SVG file holds outlines, and " + input.string() + " has none",
+               "name surfaces.json or labels.json, or write a PNG file");
+  }
+  const Labels labels(input, arguments);
+  return outlines_of_labels(labels.surfaces, labels.labelling, options, upright(labels.labelling),
+                            labels.how);
 }
 
 Image rooms_together(const Arguments& arguments) {
@@ -115,6 +143,24 @@ int run(Arguments& arguments) {
   for (const auto& [word, view] : views) {
     if (word == arguments.view) arguments.picture.view = view;
   }
+  const std::string kind = fs::path(arguments.out).extension().string();
+  if (kind != ".png" && kind != ".svg")
+    fail_usage("--out: pictures are .png or .svg, not '" + arguments.out + "'");
+  const auto done = [&](int width, int height) {
+    answer(arguments.common,
+           Json{{"picture", arguments.out}, {"width", width}, {"height", height}});
+    say(arguments.common, fmt::format("{} ({} x {})", arguments.out, width, height));
+    return 0;
+  };
+  if (kind == ".svg") {
+    if (arguments.inputs.size() != 1 || arguments.together)
+      fail_usage("--out: an SVG file shows one thing", "name one surfaces.json or labels.json");
+    if (!arguments.titles.empty()) arguments.picture.title = arguments.titles.front();
+    const VectorPicture picture =
+        outlines_of_file(arguments.inputs.front(), arguments, arguments.picture);
+    write_svg(arguments.out, picture);
+    return done(picture.width, picture.height);
+  }
   Image image;
   if (arguments.together) {
     image = rooms_together(arguments);
@@ -131,22 +177,20 @@ int run(Arguments& arguments) {
     image = side_by_side(images, titles);
   }
   write_png(arguments.out, image);
-  answer(arguments.common,
-         Json{{"picture", arguments.out}, {"width", image.width}, {"height", image.height}});
-  say(arguments.common, fmt::format("{} ({} x {})", arguments.out, image.width, image.height));
-  return 0;
+  return done(image.width, image.height);
 }
 
 }  // namespace
 
 void add_render(CLI::App& root, ExitCodeSlot& code) {
   auto* verb = root.add_subcommand(
-      "render", "Draw scenes, clouds, surfaces or labels into a PNG file, off-screen");
+      "render", "Draw scenes, clouds, surfaces or labels into a PNG or SVG file, off-screen");
   verb->footer(
       "Examples:\n  scanchor render demo/00/scene.json --view top --out scene.png\n"
       "  scanchor render demo/00/scan.pcd --color class --azimuth 30 --out cloud.png\n"
       "  scanchor render demo/00/labels.json --relations 12 --out why.png\n"
       "  scanchor render before/00/labels.json after/00/labels.json --title before --title after\n"
+      "  scanchor render demo/00/labels.json --out labels.svg\n"
       "  scanchor render demo/*/scene.json --together --out floor.png");
   auto arguments = std::make_shared<Arguments>();
   verb->add_option("input", arguments->inputs,
@@ -160,7 +204,9 @@ void add_render(CLI::App& root, ExitCodeSlot& code) {
   verb->add_flag("--together", arguments->together, "Several scenes as rooms of one floor");
   verb->add_option("--relations", arguments->relations_of,
                    "Arrows for the proof of this thing of labels.json; -2: of all things");
-  verb->add_option("--out", arguments->out, "The picture")->type_name("PNG")->capture_default_str();
+  verb->add_option("--out", arguments->out, "The picture; .svg: surfaces or labels as outlines")
+      ->type_name("PNG|SVG")
+      ->capture_default_str();
   verb->add_option("--color", arguments->color,
                    "By what: class, material, instance; for clouds also height, plane, intensity, "
                    "range-error, flags, plain");

@@ -32,10 +32,23 @@ View view_of(const Drawing& drawing, const PictureOptions& options,
   return framed_view(drawing, options.render, kind, options.azimuth_deg, options.elevation_deg);
 }
 
-Image finish(Drawing drawing, const PictureOptions& options, const std::string& title,
+/// A drawing with its title and where one looks at it from.
+struct Framed {
+  Drawing drawing;
+  View view;
+};
+
+Framed frame(Drawing drawing, const PictureOptions& options, const std::string& title,
              const Eigen::Isometry3d& T_world_sensor) {
   drawing.title = options.title.empty() ? title : options.title;
-  return render(drawing, view_of(drawing, options, T_world_sensor), options.render);
+  const View view = view_of(drawing, options, T_world_sensor);
+  return {std::move(drawing), view};
+}
+
+Image finish(Drawing drawing, const PictureOptions& options, const std::string& title,
+             const Eigen::Isometry3d& T_world_sensor) {
+  const Framed framed = frame(std::move(drawing), options, title, T_world_sensor);
+  return render(framed.drawing, framed.view, options.render);
 }
 
 /// Direction towards the eye in the frame of a cloud that is about to be moved by T_world_cloud.
@@ -130,20 +143,22 @@ Image picture_of_cloud(const PointCloud& cloud, const PictureOptions& options, C
                 sensor_of(cloud, T_world_cloud));
 }
 
-Image picture_of_surfaces(const Surfaces& surfaces, const PictureOptions& options,
-                          const Eigen::Isometry3d& T_world_cloud) {
+namespace {
+
+Framed framed_surfaces(const Surfaces& surfaces, const PictureOptions& options,
+                       const Eigen::Isometry3d& T_world_cloud) {
   DrawSurfacesOptions how;
   how.towards_eye = eye_in_cloud(options, T_world_cloud);
   Drawing drawing = draw_surfaces(surfaces, how);
   drawing.move(T_world_cloud);
-  return finish(std::move(drawing), options,
-                fmt::format("{} planar surfaces", surfaces.surfaces.size()),
-                sensor_of(surfaces, T_world_cloud));
+  return frame(std::move(drawing), options,
+               fmt::format("{} planar surfaces", surfaces.surfaces.size()),
+               sensor_of(surfaces, T_world_cloud));
 }
 
-Image picture_of_labels(const Surfaces& surfaces, const Labelling& labelling,
-                        const PictureOptions& options, const PointCloud* cloud,
-                        const Eigen::Isometry3d& T_world_cloud, DrawLabelsOptions labels) {
+Framed framed_labels(const Surfaces& surfaces, const Labelling& labelling,
+                     const PictureOptions& options, const PointCloud* cloud,
+                     const Eigen::Isometry3d& T_world_cloud, DrawLabelsOptions labels) {
   labels.towards_eye = eye_in_cloud(options, T_world_cloud);
   Drawing drawing = draw_labels(surfaces, labelling, labels);
   if (cloud != nullptr) {
@@ -161,7 +176,37 @@ Image picture_of_labels(const Surfaces& surfaces, const Labelling& labelling,
     drawing.add(points);
   }
   drawing.move(T_world_cloud);
-  return finish(std::move(drawing), options, "labels", sensor_of(surfaces, T_world_cloud));
+  return frame(std::move(drawing), options, "labels", sensor_of(surfaces, T_world_cloud));
+}
+
+}  // namespace
+
+Image picture_of_surfaces(const Surfaces& surfaces, const PictureOptions& options,
+                          const Eigen::Isometry3d& T_world_cloud) {
+  const Framed framed = framed_surfaces(surfaces, options, T_world_cloud);
+  return render(framed.drawing, framed.view, options.render);
+}
+
+VectorPicture outlines_of_surfaces(const Surfaces& surfaces, const PictureOptions& options,
+                                   const Eigen::Isometry3d& T_world_cloud) {
+  const Framed framed = framed_surfaces(surfaces, options, T_world_cloud);
+  return draw_outlines(framed.drawing, framed.view, options.render);
+}
+
+Image picture_of_labels(const Surfaces& surfaces, const Labelling& labelling,
+                        const PictureOptions& options, const PointCloud* cloud,
+                        const Eigen::Isometry3d& T_world_cloud, DrawLabelsOptions labels) {
+  const Framed framed =
+      framed_labels(surfaces, labelling, options, cloud, T_world_cloud, std::move(labels));
+  return render(framed.drawing, framed.view, options.render);
+}
+
+VectorPicture outlines_of_labels(const Surfaces& surfaces, const Labelling& labelling,
+                                 const PictureOptions& options,
+                                 const Eigen::Isometry3d& T_world_cloud, DrawLabelsOptions labels) {
+  const Framed framed =
+      framed_labels(surfaces, labelling, options, nullptr, T_world_cloud, std::move(labels));
+  return draw_outlines(framed.drawing, framed.view, options.render);
 }
 
 }  // namespace scanchor

@@ -8,6 +8,7 @@
 #include "results/draw_labels.hpp"
 #include "results/draw_scene.hpp"
 #include "results/draw_surfaces.hpp"
+#include "results/draw_svg.hpp"
 #include "results/render.hpp"
 
 namespace scanchor {
@@ -41,10 +42,19 @@ Image picture_of_cloud(const PointCloud& cloud, const PictureOptions& options = 
 /// The polygons, rectangles and features that perception found.
 Image picture_of_surfaces(const Surfaces& surfaces, const PictureOptions& options = {},
                           const Eigen::Isometry3d& T_world_cloud = Eigen::Isometry3d::Identity());
+/// The same as outlines, for write_svg() (vector.hpp).
+VectorPicture outlines_of_surfaces(
+    const Surfaces& surfaces, const PictureOptions& options = {},
+    const Eigen::Isometry3d& T_world_cloud = Eigen::Isometry3d::Identity());
 /// The named things, over the faint points of the cloud if it is given.
 Image picture_of_labels(const Surfaces& surfaces, const Labelling& labelling,
                         const PictureOptions& options = {}, const PointCloud* cloud = nullptr,
                         const Eigen::Isometry3d& T_world_cloud = Eigen::Isometry3d::Identity(),
                         DrawLabelsOptions labels = {});
+/// The same as outlines, for write_svg(); without points.
+VectorPicture outlines_of_labels(
+    const Surfaces& surfaces, const Labelling& labelling, const PictureOptions& options = {},
+    const Eigen::Isometry3d& T_world_cloud = Eigen::Isometry3d::Identity(),
+    DrawLabelsOptions labels = {});
 
 }  // namespace scanchor

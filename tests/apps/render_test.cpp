@@ -85,6 +85,21 @@ TEST(RenderLimits, OnePointIsAPicture) {
   EXPECT_GT(drawn_pixels(read_png(scratch() + "one.png")), 10U);
 }
 
+TEST(RenderOutlines, SvgHoldsEveryPolygonAndEveryName) {
+  const auto surfaces = run_scanchor("render " + room() + "surfaces.json --out surfaces.svg");
+  ASSERT_EQ(surfaces.code, 0) << surfaces.error;
+  const std::string drawn = read_file(scratch() + "surfaces.svg");
+  EXPECT_EQ(drawn.rfind("<svg ", 0), 0U);
+  std::size_t paths = 0;
+  for (std::size_t at = 0; (at = drawn.find("<path", at)) != std::string::npos; ++at) ++paths;
+  const Json json = read_json(scratch() + room() + "surfaces.json");
+  EXPECT_GT(paths, json["surfaces"].size() / 2) << "some look away";
+
+  const auto labels = run_scanchor("render " + room() + "labels.json --out labels.svg");
+  ASSERT_EQ(labels.code, 0) << labels.error;
+  EXPECT_NE(read_file(scratch() + "labels.svg").find(">floor"), std::string::npos);
+}
+
 TEST(RenderLimits, WhatCannotBeDrawnIsOneLine) {
   write_file(scratch() + "one.xyz", "1 2 3\n");
   write_file(scratch() + "empty.xyz", "");
@@ -104,6 +119,9 @@ TEST(RenderLimits, WhatCannotBeDrawnIsOneLine) {
       {"render one.xyz --view below --out x.png", 2, "perspective"},
       {"render alone/labels.json --out x.png", 3, "surfaces.json"},
       {"render " + room() + "labels.json --relations 100000 --out x.png", 2, "has no thing"},
+      {"render one.xyz --out x.svg", 2, "surfaces.json or labels.json"},
+      {"render " + room() + "labels.json " + room() + "labels.json --out x.svg", 2, "one thing"},
+      {"render one.xyz --out x.bmp", 2, ".png or .svg"},
       {"figures --out file/below", 3, "file"},
       {"report drawn --sweep nowhere", 3, "there is no sweep here"},
   };
