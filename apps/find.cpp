@@ -7,6 +7,7 @@
 #include "apps/scan_input.hpp"
 #include "core/file.hpp"
 #include "core/parallel.hpp"
+#include "reasoning/alternatives.hpp"
 #include "reasoning/answer.hpp"
 #include "reasoning/ontology.hpp"
 
@@ -59,7 +60,7 @@ int run(Arguments& arguments, bool ontology_given) {
     const PointCloud cloud = load_scan(arguments);
     scene.surfaces = perceive(cloud, arguments.perceive);
     require_surfaces(arguments, cloud, scene.surfaces);
-    scene.labelling = reason(scene.surfaces, ontology, arguments.reason);
+    scene.labelling = interpret(scene.surfaces, cloud, ontology, arguments.reason);
   } else if (arguments.sensor != "auto" && arguments.sensor != "none") {
     scene.surfaces.sensor_positions = {parse_vector(arguments.sensor, "--sensor")};
   }

@@ -9,6 +9,7 @@
 #include "apps/scan_pictures.hpp"
 #include "core/file.hpp"
 #include "core/parallel.hpp"
+#include "reasoning/alternatives.hpp"
 #include "reasoning/ontology.hpp"
 
 namespace scanchor::apps {
@@ -66,9 +67,9 @@ int run(Arguments& arguments) {
                            : fs::path(arguments.out);
 
   const auto start = std::chrono::steady_clock::now();
-  const Surfaces surfaces = perceive(cloud, arguments.perceive);
+  Surfaces surfaces = perceive(cloud, arguments.perceive);
   require_surfaces(arguments, cloud, surfaces);
-  const Labelling labelling = reason(surfaces, ontology, arguments.reason);
+  const Labelling labelling = interpret(surfaces, cloud, ontology, arguments.reason);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
 
   const auto counts = inlier_counts(surfaces);

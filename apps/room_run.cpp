@@ -9,6 +9,7 @@
 #include "core/json.hpp"
 #include "eval/evaluate.hpp"
 #include "eval/run.hpp"
+#include "reasoning/alternatives.hpp"
 
 namespace scanchor::apps {
 namespace fs = std::filesystem;
@@ -44,7 +45,7 @@ RoomResult run_room(const SceneTask& task, const Chain& chain, const fs::path& f
   watch.lap("planes");
   find_shapes(scan.cloud, chain.perceive, surfaces);
   watch.lap("shapes");
-  const Labelling labelling = reason(surfaces, chain.ontology, chain.reason);
+  const Labelling labelling = interpret(surfaces, scan.cloud, chain.ontology, chain.reason);
   watch.lap("reason");
   Answer answer;
   answer.points = predict_points(surfaces, labelling);

@@ -5,6 +5,7 @@
 #include "perception/cell_tree.hpp"
 #include "perception/find_planes.hpp"
 #include "perception/noise.hpp"
+#include "reasoning/alternatives.hpp"
 
 namespace scanchor {
 namespace {
@@ -44,7 +45,7 @@ Method peer_method(const std::string& name, PlaneFinder finder,
     answer.surfaces = surfaces_of_regions(scan.cloud, perceive_options, finder);
     find_shapes(scan.cloud, perceive_options, *answer.surfaces);
     answer.perceive_seconds = seconds_since(start);
-    answer.labelling = reason(*answer.surfaces, ontology, reason_options);
+    answer.labelling = interpret(*answer.surfaces, scan.cloud, ontology, reason_options);
     answer.reason_seconds = seconds_since(start) - answer.perceive_seconds;
     answer.points = predict_points(*answer.surfaces, *answer.labelling);
     return answer;

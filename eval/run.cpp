@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/parallel.hpp"
+#include "reasoning/alternatives.hpp"
 #include "sensors/made_room.hpp"
 
 namespace scanchor {
@@ -146,7 +147,7 @@ Method own_method(const PerceiveOptions& perceive_options, const Ontology& ontol
     MethodAnswer answer;
     answer.surfaces = perceive(scan.cloud, perceive_options);
     answer.perceive_seconds = watch.lap();
-    answer.labelling = reason(*answer.surfaces, ontology, reason_options);
+    answer.labelling = interpret(*answer.surfaces, scan.cloud, ontology, reason_options);
     answer.reason_seconds = watch.lap();
     answer.points = predict_points(*answer.surfaces, *answer.labelling);
     return answer;

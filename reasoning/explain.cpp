@@ -95,6 +95,12 @@ void explain_one(const Labelling& labelling, std::int32_t id, std::set<std::int3
     out += with_article(entity.label) + " (" + rounded(entity.probability, 2) + ")";
   }
   if (entity.whole >= 0) out += ", part of " + std::to_string(entity.whole);
+  for (const auto& a : labelling.alternatives) {
+    if (std::find(a.surfaces.begin(), a.surfaces.end(), id) == a.surfaces.end()) continue;
+    const std::string before = a.of == 1 ? "one surface" : std::to_string(a.of) + " surfaces";
+    out += "; " + before + " " + a.kind + ": as a " + a.class_name + " e^" +
+           rounded(a.log_ratio, 1) + " times as likely";
+  }
   out += "\n";
   for (const auto& clause : entity.proof) explain_clause(clause, "  ", done, next, out);
 }

@@ -21,8 +21,8 @@ struct ProofClause {
   double sigma = 0.0;       ///< of the measurement, in `unit`
   std::string unit;         ///< "m", "m2", "deg", "1", "" where nothing was measured
   std::vector<std::int32_t>
-      targets;               ///< entity ids that the clause was satisfied on (or failed on)
-  std::string target_class;  ///< the class that the targets had to be of
+      targets;                       ///< entity ids that the clause was satisfied on (or failed on)
+  std::string target_class;          ///< the class that the targets had to be of
   std::vector<ProofClause> that_is;  ///< what the clause says of its target, held against it
 };
 
@@ -53,6 +53,16 @@ struct Entity {
   std::int32_t also = -1;   ///< second class when ambiguous, index into `classes`; -1: none
 };
 
+/// Surfaces that were read in another way than they were found (reasoning/alternatives.hpp).
+struct Alternative {
+  std::string kind;                    ///< "cut at seams", "cut evenly", "joined over a shadow"
+  std::vector<std::int32_t> surfaces;  ///< Surface::id of what stands for them now
+  int of = 1;                          ///< number of surfaces before
+  std::string class_name;              ///< the class that decided it
+  double log_ratio = 0.0;  ///< ln of the likelihood ratio against the first reading, prior included
+  double log_prior = 0.0;  ///< ln of the prior against it
+};
+
 struct Labelling {
   std::vector<Entity> entities;  ///< surfaces first, in the order of Surfaces; then groups
   std::vector<std::int32_t>
@@ -61,6 +71,7 @@ struct Labelling {
   double up_sigma = 0.0;                          ///< [rad]
   std::string ontology;                           ///< name of the file
   std::string mode;                               ///< "default" or "paper"
+  std::vector<Alternative> alternatives;          ///< readings that were preferred
 };
 
 /// Entity ids that are things of their own: those that own at least one surface, rising. Parts and

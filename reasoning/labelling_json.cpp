@@ -67,6 +67,17 @@ nlohmann::ordered_json labelling_to_json(const Labelling& labelling,
   json["up"] = to_json(labelling.up);
   json["up_sigma"] = labelling.up_sigma;
   json["entity_of_surface"] = labelling.entity_of_surface;
+  if (!labelling.alternatives.empty()) {
+    json["alternatives"] = Json::array();
+    for (const auto& a : labelling.alternatives) {
+      json["alternatives"].push_back({{"kind", a.kind},
+                                      {"surfaces", a.surfaces},
+                                      {"of", a.of},
+                                      {"class", a.class_name},
+                                      {"log_ratio", a.log_ratio},
+                                      {"log_prior", a.log_prior}});
+    }
+  }
   Json objects = Json::array();
   for (const auto& entity : labelling.entities) {
     Json object;
@@ -113,6 +124,16 @@ Labelling labelling_from_json(const nlohmann::ordered_json& json, const std::str
   labelling.up = reader.at("up").vector3();
   labelling.up_sigma = reader.at("up_sigma").number_in(0.0, 10.0);
   labelling.entity_of_surface = integers(reader.at("entity_of_surface"));
+  if (reader.has("alternatives")) {
+    const auto list = reader.at("alternatives");
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const auto one = list.at(i);
+      labelling.alternatives.push_back({one.at("kind").text(), integers(one.at("surfaces")),
+                                        static_cast<int>(one.at("of").integer()),
+                                        one.at("class").text(), one.at("log_ratio").number(),
+                                        one.at("log_prior").number()});
+    }
+  }
   const auto objects = reader.at("objects");
   const auto count = static_cast<std::int32_t>(objects.size());
   for (std::size_t i = 0; i < objects.size(); ++i) {

@@ -20,6 +20,8 @@ void ReasonOptions::describe(OptionList& list) {
            1.0);
   list.add("ambiguity_margin", ambiguity_margin, "1", "two classes nearer than that are ambiguous",
            0.0, 1.0);
+  list.add("alternatives", alternatives,
+           "read surfaces anew, cut or joined, where that explains them better by far");
 }
 
 Labelling reason(const Surfaces& surfaces, const Ontology& ontology, const ReasonOptions& options) {

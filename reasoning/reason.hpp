@@ -20,6 +20,7 @@ struct ReasonOptions {
       2.0;  ///< how far the given direction may be off before the floor and walls refine it
   double report_probability = 0.5;  ///< a class is reported from here on, below it is "unknown"
   double ambiguity_margin = 0.1;    ///< two classes nearer than that are "ambiguous"
+  bool alternatives = true;  ///< surfaces may be cut or joined where that explains them better
   void describe(OptionList& list);
 };
 

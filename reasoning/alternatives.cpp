@@ -1,0 +1,312 @@
+#include "reasoning/alternatives.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math.hpp"
+#include "reasoning/background.hpp"
+#include "reasoning/matcher.hpp"
+#include "reasoning/recut.hpp"
+#include "reasoning/up.hpp"
+
+namespace scanchor {
+
+namespace {
+
+constexpr int most_pieces = 6;
+constexpr double shortest_piece = 0.2;  // [m]
+constexpr double widest_shadow = 0.6;   // [m]
+const double prior_of_seam = std::log(0.3);
+const double prior_of_even_cut = std::log(0.02);
+const double prior_of_join = std::log(0.3);
+// Of two things beside each other about one in ten has both sides in line; of one thing all have.
+const double in_line = std::log(10.0);
+constexpr double line_tolerance = 0.06;  // [m]
+
+/// ln of each class's weight against unknown, of each surface; what only a group holds together
+/// counts as the group.
+struct Explained {
+  std::vector<std::vector<double>> of_class;  ///< -infinity: ruled out
+  /// All that a surface may be, unknown included: ln(1 + sum of the classes).
+  [[nodiscard]] double all(std::int32_t surface) const {
+    double sum = 1.0;
+    for (const double s : of_class[surface]) sum += std::exp(std::min(s, 50.0));
+    return std::log(sum);
+  }
+  [[nodiscard]] int best(std::int32_t surface) const {
+    const auto& scores = of_class[surface];
+    return static_cast<int>(std::max_element(scores.begin(), scores.end()) - scores.begin());
+  }
+};
+
+/// Side by side lie equal things: no side is by more than a third longer than another's.
+bool are_equal(const std::vector<Surface>& pieces) {
+  Eigen::Array2d least(INFINITY, INFINITY);
+  Eigen::Array2d most(0.0, 0.0);
+  for (const auto& piece : pieces) {
+    const Eigen::Array2d sides(piece.rectangle.length.value, piece.rectangle.width.value);
+    least = least.min(sides);
+    most = most.max(sides);
+  }
+  return least.x() >= shortest_piece && (most <= 1.34 * least).all();
+}
+
+class Reader {
+ public:
+  Reader(const Surfaces& surfaces, const PointCloud& cloud, const Ontology& ontology,
+         const ReasonOptions& options)
+      : surfaces_(surfaces), cloud_(cloud), ontology_(ontology) {
+    const UpDirection up = find_up(surfaces, options.up, radians(options.up_sigma_deg));
+    R_ = levelling(up.up);
+    around_.up_sigma = up.sigma;
+    if (!surfaces.sensor_positions.empty())
+      around_.viewpoint = R_ * surfaces.sensor_positions.front();
+    for (const auto& description : ontology.classes) {
+      const int whole = description.part_of.empty() ? -1 : ontology.find(description.part_of);
+      bool member = false;
+      if (whole >= 0) {
+        for (const auto& clause : all_clauses(ontology, whole))
+          member =
+              member || (clause.kind == ClauseKind::group && clause.target == description.name());
+      }
+      only_member_.push_back(member);
+    }
+    as_it_is_ = explain(surfaces);
+  }
+
+  struct Choice {
+    Alternative alternative;
+    std::vector<std::int32_t> removed;
+    std::vector<Surface> added;
+  };
+
+  std::vector<Choice> choose() {
+    std::vector<Choice> choices;
+    cut_all(0, choices);
+    for (int pieces = 2; pieces <= most_pieces; ++pieces) cut_all(pieces, choices);
+    join_all(choices);
+    // The best first; what it reads anew is taken.
+    std::stable_sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) {
+      return a.alternative.log_ratio > b.alternative.log_ratio;
+    });
+    std::vector<char> taken(surfaces_.surfaces.size(), 0);
+    std::vector<Choice> kept;
+    for (auto& choice : choices) {
+      const bool free = std::none_of(choice.removed.begin(), choice.removed.end(),
+                                     [&](std::int32_t s) { return taken[s] != 0; });
+      if (!free) continue;
+      for (const auto s : choice.removed) taken[s] = 1;
+      kept.push_back(std::move(choice));
+    }
+    return kept;
+  }
+
+ private:
+  [[nodiscard]] Explained explain(const Surfaces& surfaces) const {
+    Matcher matcher(ontology_, make_items(surfaces, R_), around_);
+    matcher.run();
+    const double unknown = std::log(unknown_prior_of(ontology_));
+    Explained result;
+    result.of_class.assign(surfaces.surfaces.size(),
+                           std::vector<double>(ontology_.classes.size(), -INFINITY));
+    for (std::size_t c = 0; c < ontology_.classes.size(); ++c) {
+      if (only_member_[c]) continue;
+      for (const auto& candidate : matcher.candidates(static_cast<int>(c))) {
+        const double score = candidate.score - unknown;
+        const Item& item = matcher.items()[candidate.item];
+        if (!item.group) {
+          result.of_class[candidate.item][c] = std::max(result.of_class[candidate.item][c], score);
+          continue;
+        }
+        for (const auto m : item.members)
+          result.of_class[m][c] = std::max(result.of_class[m][c], score);
+      }
+    }
+    return result;
+  }
+
+  struct Cut {
+    std::int32_t surface;
+    bool at_seams;
+    std::size_t first, count;  ///< of its pieces among those added
+  };
+
+  /// Where a surface is cut into so many pieces, 0: into those its outline falls into; empty: not.
+  [[nodiscard]] std::vector<double> cuts_of(const Surface& surface, int pieces,
+                                            bool& at_seams) const {
+    const double length = surface.rectangle.length.value;
+    at_seams = true;
+    if (pieces == 0) {
+      const auto seams = outline_seams(surface);
+      if (seams.size() >= most_pieces) return {};
+      return seams;
+    }
+    // An outline that falls into other pieces says itself where things end.
+    if (length < shortest_piece * pieces || !outline_seams(surface).empty()) return {};
+    if (auto seams = find_seams(surface, cloud_.points, pieces, surfaces_.point_spacing))
+      return *seams;
+    at_seams = false;
+    std::vector<double> cuts;
+    for (int k = 1; k < pieces; ++k) cuts.push_back(length * (k / double(pieces) - 0.5));
+    return cuts;
+  }
+
+  /// Every surface that may be cut is, in one scene: they are each other's neighbours, as the
+  /// boards of a rack are.
+  void cut_all(int pieces, std::vector<Choice>& choices) const {
+    std::vector<std::int32_t> removed;
+    std::vector<Cut> cuts;
+    std::vector<Surface> added;
+    for (const auto& surface : surfaces_.surfaces) {
+      if (surface.inliers.empty() || surface.rectangularness < 0.6) continue;
+      // What is likelier than not as it is does not compete: a wide desk is no two narrow ones.
+      const auto& as_it_is = as_it_is_.of_class[surface.id];
+      if (as_it_is[as_it_is_.best(surface.id)] > 0.0) continue;
+      bool at_seams = false;
+      const auto places = cuts_of(surface, pieces, at_seams);
+      if (places.empty()) continue;
+      auto parts = cut_surface(surface, cloud_.points, places);
+      if (!parts || !are_equal(*parts)) continue;
+      removed.push_back(surface.id);
+      cuts.push_back({surface.id, at_seams, added.size(), parts->size()});
+      for (auto& part : *parts) added.push_back(std::move(part));
+    }
+    if (removed.empty()) return;
+    std::vector<std::int32_t> place;
+    const Explained now = explain(with_changed(surfaces_, removed, added, &place));
+    for (const auto& cut : cuts) {
+      const double prior = cut.at_seams ? prior_of_seam : prior_of_even_cut;
+      int best_class = -1;
+      double best = -INFINITY;
+      for (std::size_t c = 0; c < ontology_.classes.size(); ++c) {
+        // Parts are what is left of things: to cut for them is no reading of its own.
+        if (!ontology_.classes[c].part_of.empty()) continue;
+        double worst = INFINITY;
+        for (std::size_t k = 0; k < cut.count; ++k)
+          worst = std::min(worst, now.of_class[place[cut.first + k]][c]);
+        if (worst <= best) continue;
+        best = worst;
+        best_class = static_cast<int>(c);
+      }
+      const double gain = best - as_it_is_.all(cut.surface) + prior;
+      if (best_class < 0 || best <= 0.0 || gain <= 0.0) continue;
+      Choice choice;
+      choice.removed = {cut.surface};
+      choice.added.assign(added.begin() + static_cast<long>(cut.first),
+                          added.begin() + static_cast<long>(cut.first + cut.count));
+      choice.alternative.kind = cut.at_seams ? "cut at seams" : "cut evenly";
+      choice.alternative.class_name = ontology_.classes[best_class].name();
+      choice.alternative.log_ratio = gain;
+      choice.alternative.log_prior = prior;
+      choices.push_back(std::move(choice));
+    }
+  }
+
+  [[nodiscard]] bool may_join(const Surface& a, const Surface& b) const {
+    const double sine = a.plane.normal.cross(b.plane.normal).norm();
+    if (sine > 0.1 || a.polygons.empty() || b.polygons.empty()) return false;
+    const double reach = 0.5 * (std::hypot(a.rectangle.length.value, a.rectangle.width.value) +
+                                std::hypot(b.rectangle.length.value, b.rectangle.width.value));
+    if ((a.plane.centroid - b.plane.centroid).norm() > 1.5 * reach + widest_shadow) return false;
+    const auto face = facing(a, b);
+    if (!face || face->gap > widest_shadow || face->common < 0.7 || face->shadow < 0.5)
+      return false;
+    const double sigma = std::hypot(a.plane.centroid_sigma, b.plane.centroid_sigma);
+    return std::abs(face->across) < 0.02 + 2.0 * sigma;
+  }
+
+  void join_all(std::vector<Choice>& choices) const {
+    std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
+    std::vector<char> used(surfaces_.surfaces.size(), 0);
+    for (std::size_t i = 0; i < used.size(); ++i) {
+      for (std::size_t j = i + 1; j < used.size() && used[i] == 0; ++j) {
+        const Surface& a = surfaces_.surfaces[i];
+        const Surface& b = surfaces_.surfaces[j];
+        if (used[j] != 0 || !may_join(a, b)) continue;
+        pairs.emplace_back(a.id, b.id);
+        used[i] = used[j] = 1;
+      }
+    }
+    if (pairs.empty()) return;
+    std::vector<std::int32_t> removed;
+    std::vector<Surface> added;
+    for (const auto& [a, b] : pairs) {
+      removed.push_back(a);
+      removed.push_back(b);
+      added.push_back(join_surfaces(surfaces_.surfaces[a], surfaces_.surfaces[b]));
+    }
+    std::vector<std::int32_t> place;
+    const Explained joined = explain(with_changed(surfaces_, removed, added, &place));
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const auto [a, b] = pairs[i];
+      const int c = joined.best(place[i]);
+      const double best = joined.of_class[place[i]][c];
+      if (!ontology_.classes[c].part_of.empty()) continue;
+      const int of_a = as_it_is_.best(a);
+      const int of_b = as_it_is_.best(b);
+      const double score_a = as_it_is_.of_class[a][of_a];
+      const double score_b = as_it_is_.of_class[b][of_b];
+      // A piece that is known for one already belongs to its whole without this.
+      const bool piece_a = score_a > 0.0 && !ontology_.classes[of_a].part_of.empty();
+      const bool piece_b = score_b > 0.0 && !ontology_.classes[of_b].part_of.empty();
+      if (piece_a || piece_b) continue;
+      const auto face = facing(surfaces_.surfaces[a], surfaces_.surfaces[b]);
+      const double coincidence = face && face->step < line_tolerance ? in_line : 0.0;
+      const double gain =
+          best - std::max(as_it_is_.all(a), as_it_is_.all(b)) + prior_of_join + coincidence;
+      if (best <= 0.0 || gain <= 0.0) continue;
+      Choice choice;
+      choice.removed = {a, b};
+      choice.added = {added[i]};
+      choice.alternative.kind = "joined over a shadow";
+      choice.alternative.class_name = ontology_.classes[c].name();
+      choice.alternative.log_ratio = gain;
+      choice.alternative.log_prior = prior_of_join;
+      choices.push_back(std::move(choice));
+    }
+  }
+
+  const Surfaces& surfaces_;
+  const PointCloud& cloud_;
+  const Ontology& ontology_;
+  Eigen::Matrix3d R_ = Eigen::Matrix3d::Identity();
+  Surrounding around_;
+  std::vector<bool> only_member_;
+  Explained as_it_is_;
+};
+
+}  // namespace
+
+std::vector<Alternative> read_anew(Surfaces& surfaces, const PointCloud& cloud,
+                                   const Ontology& ontology, const ReasonOptions& options) {
+  if (!options.alternatives || options.mode != "default" || surfaces.surfaces.empty()) return {};
+  auto choices = Reader(surfaces, cloud, ontology, options).choose();
+  if (choices.empty()) return {};
+  std::vector<std::int32_t> removed;
+  std::vector<Surface> added;
+  for (auto& choice : choices) {
+    removed.insert(removed.end(), choice.removed.begin(), choice.removed.end());
+    for (auto& s : choice.added) added.push_back(std::move(s));
+  }
+  std::vector<std::int32_t> place;
+  surfaces = with_changed(surfaces, removed, std::move(added), &place);
+  std::vector<Alternative> alternatives;
+  std::size_t next = 0;
+  for (auto& choice : choices) {
+    choice.alternative.of = static_cast<int>(choice.removed.size());
+    for (std::size_t k = 0; k < choice.added.size(); ++k)
+      choice.alternative.surfaces.push_back(place[next++]);
+    alternatives.push_back(std::move(choice.alternative));
+  }
+  return alternatives;
+}
+
+Labelling interpret(Surfaces& surfaces, const PointCloud& cloud, const Ontology& ontology,
+                    const ReasonOptions& options) {
+  auto alternatives = read_anew(surfaces, cloud, ontology, options);
+  Labelling labelling = reason(surfaces, ontology, options);
+  labelling.alternatives = std::move(alternatives);
+  return labelling;
+}
+
+}  // namespace scanchor
