@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/parallel.hpp"
+
 #include "perception/chi_square.hpp"
 #include "perception/join_planes.hpp"
 
@@ -42,21 +44,30 @@ bool is_flat(const Moments& moments, const BeamNoise& noise, MomentPlane& plane)
 // The largest flat cells, from the root down.
 std::vector<FlatCell> flat_cells(const CellTree& tree, const BeamNoise& noise,
                                  std::vector<std::int32_t>& flat_of_cell) {
+  constexpr std::size_t block = 512;
   std::vector<FlatCell> flat;
-  std::vector<bool> open(tree.cells.size(), false);
-  open[0] = true;
+  std::vector<char> open(tree.cells.size(), 0);
+  open[0] = 1;
   flat_of_cell.assign(tree.cells.size(), -1);
-  for (std::uint32_t i = 0; i < tree.cells.size(); ++i) {  // parents come before children
-    if (!open[i]) continue;
-    FlatCell candidate{i, {}};
-    if (is_flat(tree.moments[i], noise, candidate.plane)) {
-      flat_of_cell[i] = static_cast<std::int32_t>(flat.size());
-      flat.push_back(candidate);
-      continue;
-    }
-    const Cell& cell = tree.cells[i];
-    for (std::uint32_t c = 0; c < cell.children; ++c) open[cell.child + c] = true;
+  for (std::size_t from = 0, to = 0; from < tree.cells.size(); from = to) {  // level by level
+    while (to < tree.cells.size() && tree.cells[to].level == tree.cells[from].level) ++to;
+    std::vector<std::vector<FlatCell>> found((to - from + block - 1) / block);
+    parallel_blocks(to - from, block, [&](std::size_t begin, std::size_t end) {
+      for (auto i = static_cast<std::uint32_t>(from + begin); i < from + end; ++i) {
+        if (open[i] == 0) continue;
+        FlatCell candidate{i, {}};
+        if (is_flat(tree.moments[i], noise, candidate.plane)) {
+          found[begin / block].push_back(candidate);
+          continue;
+        }
+        const Cell& cell = tree.cells[i];
+        for (std::uint32_t c = 0; c < cell.children; ++c) open[cell.child + c] = 1;
+      }
+    });
+    for (const auto& some : found) flat.insert(flat.end(), some.begin(), some.end());
   }
+  for (std::size_t f = 0; f < flat.size(); ++f)
+    flat_of_cell[flat[f].cell] = static_cast<std::int32_t>(f);
   return flat;
 }
 

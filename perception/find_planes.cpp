@@ -92,16 +92,23 @@ void collect_surfaces(const PointCloud& cloud, const PlaneInput& input,
   }
   // Some 2000 points of a surface, evenly along the canonical order, tell whether it bends.
   std::vector<BendTest> bend(regions);
+  std::vector<std::vector<std::uint32_t>> sample(regions);
   std::vector<std::uint32_t> seen(regions, 0);
   for (std::size_t i = 0; i < region_of.size(); ++i) {
     if (region_of[i] < 0) continue;
     const auto r = static_cast<std::size_t>(region_of[i]);
-    if (seen[r]++ % (1 + count[r] / 2048) != 0) continue;
-    const Eigen::Vector3d d =
-        cloud.points[canonical.source[canonical.first[i]]] - found[r].plane.centroid;
-    const auto axes = found[r].T_cloud_surface.linear();
-    bend[r].add(axes.col(0).dot(d), axes.col(1).dot(d), axes.col(2).dot(d));
+    if (seen[r]++ % (1 + count[r] / 2048) == 0)
+      sample[r].push_back(canonical.source[canonical.first[i]]);
   }
+  parallel_blocks(regions, 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      const auto axes = found[r].T_cloud_surface.linear();
+      for (const auto s : sample[r]) {
+        const Eigen::Vector3d d = cloud.points[s] - found[r].plane.centroid;
+        bend[r].add(axes.col(0).dot(d), axes.col(1).dot(d), axes.col(2).dot(d));
+      }
+    }
+  });
   for (std::size_t i = 0; i < surfaces.plane_of_point.size();
        ++i) {  // in the input's order: rising
     const auto region = surfaces.plane_of_point[i];

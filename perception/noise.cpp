@@ -111,34 +111,42 @@ double estimate_noise(const CanonicalCloud& cloud, const CellTree& tree, double 
   constexpr std::uint32_t fewest = 12;
   constexpr double flat = 9.0;     // least ratio of the second to the first variance of a surface
   constexpr double growth = 1.35;  // most growth of the variance from the parts to the whole
-  std::vector<Weighted> seen;
+  constexpr std::size_t block = 1024;
   const Eigen::Isometry3d to_canonical = cloud.T_cloud_canonical.inverse();
   const std::size_t stride = 1 + tree.cells.size() / 40000;  // a sample is enough
-  for (std::size_t i = 0; i < tree.cells.size(); i += stride) {
-    const Cell& cell = tree.cells[i];
-    if (cell.size() < 2 * fewest || cell.children == 0 || cell.size() > 4096) continue;
-    const Eigen::Vector3d whole = plane_variances_fast(tree.moments[i]);
-    const double variance = whole[0] * cell.size() / (cell.size() - 3.0);
-    if (whole[1] < flat * variance) continue;
-    double squares = 0.0, freedom = 0.0, covered = 0.0;
-    for (std::uint32_t c = 0; c < cell.children; ++c) {
-      const Moments& part = tree.moments[cell.child + c];
-      if (part.n < fewest) continue;
-      squares += part.n * plane_variances_fast(part)[0];
-      freedom += part.n - 3.0;
-      covered += part.n;
+  const std::size_t samples = (tree.cells.size() + stride - 1) / stride;
+  std::vector<std::vector<Weighted>> found((samples + block - 1) / block);
+  parallel_blocks(samples, block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin * stride; i < std::min(tree.cells.size(), end * stride);
+         i += stride) {
+      const Cell& cell = tree.cells[i];
+      if (cell.size() < 2 * fewest || cell.children == 0 || cell.size() > 4096) continue;
+      const Eigen::Vector3d whole = plane_variances_fast(tree.moments[i]);
+      const double variance = whole[0] * cell.size() / (cell.size() - 3.0);
+      if (whole[1] < flat * variance) continue;
+      double squares = 0.0, freedom = 0.0, covered = 0.0;
+      for (std::uint32_t c = 0; c < cell.children; ++c) {
+        const Moments& part = tree.moments[cell.child + c];
+        if (part.n < fewest) continue;
+        squares += part.n * plane_variances_fast(part)[0];
+        freedom += part.n - 3.0;
+        covered += part.n;
+      }
+      if (covered < 0.7 * cell.size()) continue;
+      const double floor2 = least_noise(cloud, spacing) * least_noise(cloud, spacing);
+      if (variance > growth * std::max(squares / freedom, floor2)) continue;
+      double cosine = 1.0;
+      if (sensors.size() == 1) {
+        const Eigen::Vector3d beam = tree.moments[i].mean() - to_canonical * sensors[0];
+        cosine = std::abs(beam.normalized().dot(fit_plane_fast(tree.moments[i]).normal));
+        if (cosine < 0.3) continue;
+      }
+      found[begin / block].push_back(
+          {std::sqrt(variance) / cosine, static_cast<double>(cell.size())});
     }
-    if (covered < 0.7 * cell.size()) continue;
-    const double floor2 = least_noise(cloud, spacing) * least_noise(cloud, spacing);
-    if (variance > growth * std::max(squares / freedom, floor2)) continue;
-    double cosine = 1.0;
-    if (sensors.size() == 1) {
-      const Eigen::Vector3d beam = tree.moments[i].mean() - to_canonical * sensors[0];
-      cosine = std::abs(beam.normalized().dot(fit_plane_fast(tree.moments[i]).normal));
-      if (cosine < 0.3) continue;
-    }
-    seen.push_back({std::sqrt(variance) / cosine, static_cast<double>(cell.size())});
-  }
+  });
+  std::vector<Weighted> seen;
+  for (const auto& some : found) seen.insert(seen.end(), some.begin(), some.end());
   const double least = least_noise(cloud, spacing);
   if (seen.empty()) return std::max(0.25 * spacing, least);
   return std::max(weighted_quantile(seen, sensors.size() == 1 ? 0.5 : 0.75), least);

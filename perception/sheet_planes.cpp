@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include "core/parallel.hpp"
 #include "perception/thin_planes.hpp"
 
 namespace scanchor {
@@ -357,6 +358,12 @@ void split_sheets(const CanonicalCloud& cloud, PlaneLabels& labels, const BeamNo
   std::stable_sort(order.begin(), order.end(),
                    [&](auto a, auto b) { return members[a].size() > members[b].size(); });
   std::vector<char> settled(labels.planes.size(), 0);
+  // A plane that no other gave points to or took from is as it was: its map can be made beforehand.
+  std::vector<std::optional<HeightMap>> maps(order.size());
+  parallel_blocks(order.size(), 1, [&](std::size_t i, std::size_t) {
+    const auto r = order[i];
+    if (members[r].size() >= fewest) maps[i].emplace(cloud, labels.planes[r], members[r]);
+  });
   std::vector<std::uint32_t> points;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const auto r = order[i];
@@ -371,7 +378,7 @@ void split_sheets(const CanonicalCloud& cloud, PlaneLabels& labels, const BeamNo
       if (members[q].size() < 3) break;
       if (settled[q] == 0 && lies_close(whole, labels.planes[q], noise)) near.push_back(q);
     }
-    const HeightMap alone(cloud, whole, points);
+    const HeightMap& alone = *maps[i];
     const std::size_t own = points.size();
     for (const auto q : near) {
       std::size_t within = 0;
