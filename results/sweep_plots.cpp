@@ -64,6 +64,33 @@ VectorPicture methods_plot(const std::vector<SweepResult>& sweeps, const std::st
   return plot_lines(lines, share_axis(sweeps.front(), metric + " by method"));
 }
 
+VectorPicture times_plot(const std::vector<SweepResult>& sweeps) {
+  std::vector<PlotLine> lines;
+  for (const SweepResult& sweep : sweeps) {
+    require_axes(sweep, 1);
+    const std::string method = sweeps.size() > 1 ? short_name(sweep.method) + ": " : "";
+    PlotLine perceive, reason;
+    perceive.name = method + "perception";
+    reason.name = method + "reasoning";
+    reason.dashed = true;
+    for (const SweepPoint& point : sweep.points) {
+      const double scans = std::max<double>(1.0, static_cast<double>(point.run.pooled.scans));
+      perceive.x.push_back(point.values.front());
+      perceive.y.push_back(1000.0 * point.run.times.perceive / scans);
+      reason.x.push_back(point.values.front());
+      reason.y.push_back(1000.0 * point.run.times.reason / scans);
+    }
+    lines.push_back(std::move(perceive));
+    lines.push_back(std::move(reason));
+  }
+  PlotOptions options;
+  options.width = 760;
+  options.title = "Time of a scan over " + sweeps.front().axes.front().option;
+  options.x_label = sweeps.front().axes.front().option;
+  options.y_label = "ms a scan (other scans ran beside it)";
+  return plot_lines(lines, options);
+}
+
 VectorPicture sweep_map(const SweepResult& sweep, const std::string& metric) {
   require_axes(sweep, 2);
   PlotMap map;
@@ -104,6 +131,7 @@ std::vector<std::filesystem::path> write_sweep_plots(const std::filesystem::path
   const SweepResult& first = sweeps.front();
   if (first.axes.size() == 1) {
     files.push_back(write_plot(folder, "scores", sweep_plot(first)));
+    files.push_back(write_plot(folder, "times", times_plot(sweeps)));
     for (const auto& metric : metrics) {
       if (sweeps.size() > 1)
         files.push_back(

@@ -42,6 +42,19 @@ TEST(SweepPlots, MethodsAreNamedShort) {
   EXPECT_THAT(svg, testing::HasSubstr(">paper<"));
 }
 
+TEST(SweepPlots, TimesAreThoseOfOneScan) {
+  SweepResult sweep = made_up("default/default/office", 1);
+  for (auto& point : sweep.points) {
+    point.run.pooled.scans = 4;
+    point.run.times.perceive = 0.8;
+  }
+  const std::string svg = to_svg(times_plot({sweep}));
+  EXPECT_THAT(svg, testing::HasSubstr("ms a scan"));
+  EXPECT_THAT(svg, testing::HasSubstr(">200<")) << "the axis ends where the curve does";
+  EXPECT_THAT(svg, testing::HasSubstr(">reasoning<"));
+  EXPECT_THROW(times_plot({made_up("default", 2)}), Error);
+}
+
 TEST(SweepPlots, AMapShowsTheValueOfEachCell) {
   // F1 = 2 found / (found + 100): 0.95 for the first cell, 0.57 for the last.
   const std::string svg = to_svg(sweep_map(made_up("default", 2), "objects.f1"));
@@ -57,10 +70,10 @@ TEST(SweepPlots, AnotherNumberOfAxesIsRefused) {
 TEST(SweepPlots, FilesFollowTheAxes) {
   const auto folder = std::filesystem::temp_directory_path() / "scanchor-sweep-plots";
   std::filesystem::remove_all(folder);
-  EXPECT_EQ(write_sweep_plots(folder, {made_up("default", 1)}, {"objects.f1"}).size(), 1U);
+  EXPECT_EQ(write_sweep_plots(folder, {made_up("default", 1)}, {"objects.f1"}).size(), 2U);
   EXPECT_EQ(write_sweep_plots(folder, {made_up("default", 1), made_up("paper", 1)}, {"objects.f1"})
                 .size(),
-            2U);
+            3U);
   const auto maps = write_sweep_plots(folder, {made_up("paper/paper/office", 2)}, {"objects.f1"});
   ASSERT_EQ(maps.size(), 1U);
   EXPECT_EQ(maps.front().filename(), "map-paper.svg");
