@@ -2,6 +2,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -90,19 +91,23 @@ inline int turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen:
   return exact_turn(a, b, c);
 }
 
+constexpr double in_circle_error = 1.2e-15;  // of the sum of its products
+
 /// Whether d lies inside the circle through a, b, c, counter-clockwise; a side of it where they lie
-/// on a line. Exact.
+/// on a line. Exact. `certain`: greatest error of the quick sum over all points.
 inline bool in_circle(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
-                      const Eigen::Vector2d& d) {
+                      const Eigen::Vector2d& d, double certain) {
   const double ax = a.x() - d.x(), ay = a.y() - d.y();
   const double bx = b.x() - d.x(), by = b.y() - d.y();
   const double cx = c.x() - d.x(), cy = c.y() - d.y();
   const double bc = bx * cy, cb = cx * by, ca = cx * ay, ac = ax * cy, ab = ax * by, ba = bx * ay;
   const double al = ax * ax + ay * ay, bl = bx * bx + by * by, cl = cx * cx + cy * cy;
   const double det = al * (bc - cb) + bl * (ca - ac) + cl * (ab - ba);
+  if (det > certain) return true;
+  if (det < -certain) return false;
   const double bound =
-      1.2e-15 * ((std::abs(bc) + std::abs(cb)) * al + (std::abs(ca) + std::abs(ac)) * bl +
-                 (std::abs(ab) + std::abs(ba)) * cl);
+      in_circle_error * ((std::abs(bc) + std::abs(cb)) * al + (std::abs(ca) + std::abs(ac)) * bl +
+                         (std::abs(ab) + std::abs(ba)) * cl);
   if (det > bound) return true;
   if (det < -bound) return false;
   return exactly_in_circle(a, b, c, d);
@@ -114,6 +119,10 @@ class Growing {
  public:
   explicit Growing(const std::vector<Eigen::Vector2d>& points) : points_(points) {
     triangles_.reserve(2 * points.size() + 4);
+    Eigen::AlignedBox2d box;
+    for (const auto& p : points) box.extend(p);
+    const double extent = box.sizes().maxCoeff();
+    certain_ = 12.0 * in_circle_error * extent * extent * extent * extent;
   }
 
   /// The first triangle: corners counter-clockwise.
@@ -175,6 +184,7 @@ class Growing {
   std::vector<Face> triangles_;
   std::vector<std::int32_t> todo_;
   std::int32_t last_ = 0;
+  double certain_ = 0.0;  ///< in_circle
 
   static bool is_infinite(const Face& f) {
     return f.corner[0] == infinite || f.corner[1] == infinite || f.corner[2] == infinite;
@@ -240,7 +250,7 @@ class Growing {
     if (a == infinite) return d != infinite && turn(points_[p], points_[b], points_[d]) < 0;
     if (b == infinite) return d != infinite && turn(points_[a], points_[p], points_[d]) < 0;
     if (d == infinite) return turn(points_[a], points_[b], points_[p]) == 0;
-    return in_circle(points_[p], points_[a], points_[b], points_[d]);
+    return in_circle(points_[p], points_[a], points_[b], points_[d], certain_);
   }
 };
 

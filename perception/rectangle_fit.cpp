@@ -14,13 +14,15 @@ constexpr int directions = 13;  // directions that are tried at once
 constexpr int rounds = 3;       // each looks closer at where the one before found weight
 
 /// A normal distribution over four sigma to either side of the middle.
-void normal_bins(SideHistogram& h) {
+SideHistogram normal_bins() {
+  SideHistogram h;
   double total = 0.0;
   for (std::size_t b = 0; b < side_bins; ++b) {
     const double z = 8.0 * (static_cast<double>(b) + 0.5) / side_bins - 4.0;
     total += h[b] = std::exp(-0.5 * z * z);
   }
   for (double& x : h) x /= total;
+  return h;
 }
 
 /// [m] of a side where nothing beyond it was seen, so that only the outline tells. Each sample's
@@ -118,6 +120,7 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
     start[k] = sides[k].position - half;
     step[k] = 2.0 * half / side_bins;
   }
+  static const SideHistogram unknown = normal_bins();
   double total = 0.0;
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t k = 0; k < 4; ++k) likelihoods[k].set_step(step[k]);
@@ -129,7 +132,7 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
       for (std::size_t k = 0; k < 4; ++k) {
         SideHistogram& h = trial.side[k];
         if (!known[k]) {
-          normal_bins(h);
+          h = unknown;
           continue;
         }
         trial.weight += likelihoods[k](trial.turn, start[k], h);
