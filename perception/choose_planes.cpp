@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/parallel.hpp"
 
@@ -19,19 +20,28 @@ struct LeafVotes {
   std::vector<Candidate> votes;
 
   void count(const PointPool& pool, const std::vector<std::int32_t>& label) {
-    start.assign(1, 0);
-    votes.clear();
-    for (std::uint32_t l = 0; l < pool.leaf.size(); ++l) {
-      const Cell& cell = pool.cell(l);
-      for (auto p = cell.begin; p < cell.end; ++p) {
-        if (label[p] < 0) continue;
-        std::size_t at = start.back();
-        while (at < votes.size() && votes[at].id != label[p]) ++at;
-        if (at == votes.size()) votes.push_back({label[p], 0.0F});
-        votes[at].votes += 1.0F;
+    constexpr std::size_t block = 1024;
+    const std::size_t leaves = pool.leaf.size();
+    start.assign(leaves + 1, 0);
+    std::vector<std::vector<Candidate>> found((leaves + block - 1) / block);
+    parallel_blocks(leaves, block, [&](std::size_t begin, std::size_t end) {
+      auto& here = found[begin / block];
+      for (auto l = static_cast<std::uint32_t>(begin); l < end; ++l) {
+        const std::size_t first = here.size();
+        const Cell& cell = pool.cell(l);
+        for (auto p = cell.begin; p < cell.end; ++p) {
+          if (label[p] < 0) continue;
+          std::size_t at = first;
+          while (at < here.size() && here[at].id != label[p]) ++at;
+          if (at == here.size()) here.push_back({label[p], 0.0F});
+          here[at].votes += 1.0F;
+        }
+        start[l + 1] = static_cast<std::uint32_t>(here.size() - first);
       }
-      start.push_back(static_cast<std::uint32_t>(votes.size()));
-    }
+    });
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    votes.clear();
+    for (const auto& here : found) votes.insert(votes.end(), here.begin(), here.end());
   }
 };
 
