@@ -1,134 +1,18 @@
 #include "perception/sheet_planes.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
 
 #include "core/parallel.hpp"
+#include "perception/height_map.hpp"
 #include "perception/thin_planes.hpp"
 
 namespace scanchor {
 namespace {
 
-constexpr double points_per_square = 8.0;
 constexpr std::size_t fewest_squares = 12;  // of a sheet
-
-// Heights over a plane, averaged over squares of it: a map that tells steps from bends.
-class HeightMap {
- public:
-  HeightMap(const CanonicalCloud& cloud, const GrownPlane& grown,
-            std::span<const std::uint32_t> members)
-      : u_(grown.plane.axes.col(2).cast<float>()), v_(grown.plane.axes.col(1).cast<float>()) {
-    float high_u = -3e38F, high_v = -3e38F;
-    std::vector<float> u(members.size()), v(members.size());
-    for (std::size_t k = 0; k < members.size(); ++k) {
-      const Eigen::Vector3f x = cloud.point(members[k]);
-      u[k] = u_.dot(x);
-      v[k] = v_.dot(x);
-      low_u_ = std::min(low_u_, u[k]);
-      high_u = std::max(high_u, u[k]);
-      low_v_ = std::min(low_v_, v[k]);
-      high_v = std::max(high_v, v[k]);
-    }
-    const auto& variances = grown.plane.variances;  // an even spread has 12 times as much extent^2
-    const double area = 12.0 * std::sqrt(std::max(0.0, variances[1] * variances[2]));
-    constexpr float most = 500.0F;
-    side_ = std::max(static_cast<float>(
-                         std::sqrt(points_per_square * area / static_cast<double>(members.size()))),
-                     std::max({high_u - low_u_, high_v - low_v_, 1e-6F}) / most);
-    columns = static_cast<int>((high_u - low_u_) / side_) + 3;  // with an empty rim
-    rows = static_cast<int>((high_v - low_v_) / side_) + 3;
-    const auto squares = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
-    weight.assign(squares, 0.0F);
-    height.assign(squares, 0.0F);
-    const PlaneReach reach(grown);
-    for (std::size_t k = 0; k < members.size(); ++k) {
-      const auto p = members[k];
-      const auto at = square(u[k], v[k]);
-      const float s = reach.scatter(cloud.inverse_range[p]), w = 1.0F / (s * s);
-      weight[at] += w;
-      height[at] +=
-          w * (reach.a * cloud.x[p] + reach.b * cloud.y[p] + reach.c * cloud.z[p] - reach.offset);
-    }
-    for (std::size_t i = 0; i < squares; ++i) {
-      if (weight[i] > 0.0F) height[i] /= weight[i];
-    }
-  }
-  [[nodiscard]] std::size_t square(const Eigen::Vector3f& x) const {
-    return square(u_.dot(x), v_.dot(x));
-  }
-  /// Is there a point of the map in the square of this place or in one that touches it?
-  [[nodiscard]] bool is_beside(const Eigen::Vector3f& x) const {
-    const float column = (u_.dot(x) - low_u_) / side_ + 1.0F,
-                row = (v_.dot(x) - low_v_) / side_ + 1.0F;
-    if (column < 1.0F || row < 1.0F || column >= static_cast<float>(columns - 1) ||
-        row >= static_cast<float>(rows - 1))
-      return false;
-    return around(square(x), [&](std::size_t i) { return weight[i] > 0.0F ? 1.0 : 0.0; }) > 0.0;
-  }
-  /// Is there one in the square itself?
-  [[nodiscard]] bool holds(const Eigen::Vector3f& x) const {
-    return is_beside(x) && weight[square(x)] > 0.0F;
-  }
-  /// Squares beside, above and below.
-  [[nodiscard]] std::array<std::size_t, 4> beside(std::size_t at) const {
-    const auto row = static_cast<std::size_t>(columns);
-    return {at - 1, at + 1, at - row, at + row};
-  }
-  /// Sum over the three by three squares around `at` of f(square).
-  template <class F>
-  [[nodiscard]] double around(std::size_t at, const F& f) const {
-    double sum = 0.0;
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dx = -1; dx <= 1; ++dx)
-        sum += f(at + static_cast<std::size_t>(static_cast<std::ptrdiff_t>(dy) * columns + dx));
-    }
-    return sum;
-  }
-  /// Place of a square along the map, in squares: good for fitting.
-  [[nodiscard]] Eigen::Vector3d place(std::size_t at) const {
-    const auto row = static_cast<std::size_t>(columns);
-    return {1.0, static_cast<double>(at % row) / columns, static_cast<double>(at / row) / columns};
-  }
-
-  int columns = 0, rows = 0;
-  std::vector<float> weight;  ///< [1/m2] one over the variance of the height; 0: no point
-  std::vector<float> height;  ///< [m]
-
- private:
-  [[nodiscard]] std::size_t square(float u, float v) const {
-    return static_cast<std::size_t>((static_cast<int>((v - low_v_) / side_) + 1) * columns +
-                                    static_cast<int>((u - low_u_) / side_) + 1);
-  }
-  Eigen::Vector3f u_, v_;
-  float low_u_ = 3e38F, low_v_ = 3e38F, side_ = 1.0F;
-};
-
-// Height as a linear function of place, from the squares that were added.
-class Tilt {
- public:
-  void add(const Eigen::Vector3d& place, double weight, double height) {
-    left_ += weight * place * place.transpose();
-    right_ += weight * height * place;
-  }
-  /// Takes off what was added to another.
-  void remove(const Tilt& other) {
-    left_ -= other.left_;
-    right_ -= other.right_;
-  }
-  void fit() {
-    // A little to hold directions that nothing holds.
-    left_.diagonal().array() += 1e-9 * left_(0, 0) + 1e-300;
-    line_ = left_.ldlt().solve(right_);
-  }
-  [[nodiscard]] double at(const Eigen::Vector3d& place) const { return line_.dot(place); }
-
- private:
-  Eigen::Matrix3d left_ = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right_ = Eigen::Vector3d::Zero(), line_ = Eigen::Vector3d::Zero();
-};
 
 double median(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -171,16 +55,14 @@ class SheetFinder {
   [[nodiscard]] bool is_mixed_in(const CanonicalCloud& cloud, const HeightMap& other,
                                  std::span<const std::uint32_t> points, double scatter) const {
     constexpr std::size_t fewest = 3;
-    std::vector<std::size_t> squares;
     std::size_t shared = 0;
-    for (const auto p : points) {
-      const Eigen::Vector3f x = cloud.point(p);
-      if (other.holds(x)) ++shared;
-      squares.push_back(map_.square(x));
-    }
+    for (const auto p : points) shared += other.holds(cloud.point(p)) ? 1 : 0;
+    if (10 * shared < points.size()) return false;  // the map may not even reach there
+    std::vector<std::size_t> squares;
+    for (const auto p : points) squares.push_back(map_.square(cloud.point(p)));
     std::sort(squares.begin(), squares.end());
     squares.erase(std::unique(squares.begin(), squares.end()), squares.end());
-    if (10 * shared < points.size() || squares.size() < fewest) return false;
+    if (squares.size() < fewest) return false;
     double misfit = 0.0;
     for (const auto at : squares) {
       const double d = map_.height[at] - ground_.at(map_.place(at));
@@ -351,7 +233,8 @@ bool lies_close(const GrownPlane& large, const GrownPlane& small, const BeamNois
 
 void split_sheets(const CanonicalCloud& cloud, PlaneLabels& labels, const BeamNoise& noise) {
   constexpr int most_sheets = 16;
-  constexpr auto fewest = static_cast<std::size_t>(3.0 * points_per_square * fewest_squares);
+  constexpr auto fewest =
+      static_cast<std::size_t>(3.0 * HeightMap::points_per_square * fewest_squares);
   const PlaneMembers members(labels);
   std::vector<std::uint32_t> order(labels.planes.size());
   std::iota(order.begin(), order.end(), 0U);
