@@ -124,8 +124,9 @@ int show(const Arguments& arguments) {
     const std::string whole = !description.parent.empty()    ? ", a kind of " + description.parent
                               : !description.part_of.empty() ? ", part of " + description.part_of
                                                              : "";
-    say(arguments.common, fmt::format("{:<18} {:>2} clauses{}", description.name(),
-                                      description.clauses.size(), whole));
+    const char* noun = description.clauses.size() == 1 ? "clause" : "clauses";
+    say(arguments.common, fmt::format("{:<18} {:>2} {}{}", description.name(),
+                                      description.clauses.size(), noun, whole));
   }
   return 0;
 }

@@ -5,6 +5,7 @@
 
 #include "core/math.hpp"
 #include "reasoning/background.hpp"
+#include "reasoning/join_surfaces.hpp"
 #include "reasoning/matcher.hpp"
 #include "reasoning/recut.hpp"
 #include "reasoning/up.hpp"
@@ -71,6 +72,8 @@ class Reader {
       }
       only_member_.push_back(member);
     }
+    for (std::size_t c = 0; c < ontology.classes.size(); ++c)
+      clauses_.push_back(all_clauses(ontology, static_cast<int>(c)));
     as_it_is_ = explain(surfaces);
   }
 
@@ -151,6 +154,52 @@ class Reader {
     return cuts;
   }
 
+  /// The most that a class can get from a piece, were all its relations satisfied; -infinity where
+  /// its own features rule it out.
+  [[nodiscard]] double most_of(std::size_t c, const Item& piece) const {
+    double score =
+        std::log(prior_of(ontology_, static_cast<int>(c))) - std::log(unknown_prior_of(ontology_));
+    for (const auto& clause : clauses_[c]) {
+      if (clause.kind == ClauseKind::group) {
+        const auto member = static_cast<std::size_t>(ontology_.find(clause.target));
+        return std::isinf(most_of(member, piece)) ? -INFINITY : INFINITY;
+      }
+      const double tolerance = clause.range.has_high() ? clause.range.high : 5.0;
+      double most = 1.0;
+      double least = clause.usually ? 0.0 : required_gate;
+      if (clause.kind == ClauseKind::feature)
+        most = least = feature(clause.feature, clause.range, piece).likelihood;
+      if (clause.kind == ClauseKind::horizontal)
+        most = least = horizontal(piece, around_, tolerance).likelihood;
+      if (clause.kind == ClauseKind::vertical)
+        most = least = vertical(piece, around_, tolerance).likelihood;
+      if (clause.kind == ClauseKind::rectangular) most = least = rectangular(piece).likelihood;
+      if (!clause.usually && most < required_gate) return -INFINITY;
+      score += ontology_.temperature * weight_of(clause) *
+               std::max(evidence_of(clause, most), evidence_of(clause, least));
+    }
+    return score;
+  }
+
+  /// Whether some class could win with these pieces at all: most cuts need no closer look.
+  /// What only a group holds together has to show where it ends: without seams it cannot.
+  [[nodiscard]] bool can_win(const std::vector<Surface>& pieces, bool at_seams,
+                             double needed) const {
+    Surfaces alone;
+    alone.point_spacing = surfaces_.point_spacing;
+    alone.surfaces = pieces;
+    const auto items = make_items(alone, R_);
+    for (std::size_t c = 0; c < ontology_.classes.size(); ++c) {
+      if (!ontology_.classes[c].part_of.empty()) continue;
+      const bool all = std::all_of(items.begin(), items.end(), [&](const Item& item) {
+        const double most = most_of(c, item);
+        return most > needed && (at_seams || std::isfinite(most));
+      });
+      if (all) return true;
+    }
+    return false;
+  }
+
   /// Every surface that may be cut is, in one scene: they are each other's neighbours, as the
   /// boards of a rack are.
   void cut_all(int pieces, std::vector<Choice>& choices) const {
@@ -167,6 +216,8 @@ class Reader {
       if (places.empty()) continue;
       auto parts = cut_surface(surface, cloud_.points, places);
       if (!parts || !are_equal(*parts)) continue;
+      const double against = at_seams ? prior_of_seam : prior_of_even_cut;
+      if (!can_win(*parts, at_seams, as_it_is_.all(surface.id) - against)) continue;
       removed.push_back(surface.id);
       cuts.push_back({surface.id, at_seams, added.size(), parts->size()});
       for (auto& part : *parts) added.push_back(std::move(part));
@@ -272,6 +323,7 @@ class Reader {
   Eigen::Matrix3d R_ = Eigen::Matrix3d::Identity();
   Surrounding around_;
   std::vector<bool> only_member_;
+  std::vector<std::vector<Clause>> clauses_;  ///< of each class, its parents' included
   Explained as_it_is_;
 };
 
