@@ -21,10 +21,41 @@ BeamGrid::Spot BeamGrid::spot(const Eigen::Vector3f& d, int side) {
   return on(d.z() > 0 ? 4 : 5, d.x() / a.z(), d.y() / a.z());
 }
 
+namespace {
+
+// Of the cells beside one that holds points, the share that hold some too: along rows or along
+// columns, where it is less; from every seventh point. Cells at the edges of the cube's faces are
+// left out.
+double share_beside(const std::vector<std::uint32_t>& place_of_point, int side) {
+  std::vector<char> holds(static_cast<std::size_t>(6 * side) * static_cast<std::size_t>(side), 0);
+  const auto at = [side](std::uint32_t place) {
+    return (static_cast<std::size_t>(place >> 20) * static_cast<std::size_t>(side) +
+            (place >> 10 & 1023U)) *
+               static_cast<std::size_t>(side) +
+           (place & 1023U);
+  };
+  for (const auto place : place_of_point) holds[at(place)] = 1;
+  std::size_t asked = 0, full_x = 0, full_y = 0;
+  for (std::size_t i = 0; i < place_of_point.size(); i += 7) {
+    const auto place = place_of_point[i];
+    const auto x = static_cast<int>(place & 1023U), y = static_cast<int>(place >> 10 & 1023U);
+    if (x == 0 || y == 0 || x + 1 >= side || y + 1 >= side) continue;
+    const char* const here = &holds[at(place)];
+    asked += 2;
+    full_x += static_cast<std::size_t>(here[-1] + here[1]);
+    full_y += static_cast<std::size_t>(here[-side] + here[side]);
+  }
+  return asked == 0 ? 1.0
+                    : static_cast<double>(std::min(full_x, full_y)) / static_cast<double>(asked);
+}
+
+}  // namespace
+
 BeamGrid::BeamGrid(const CanonicalCloud& cloud, const Eigen::Vector3d& sensor) {
   constexpr int coarse_side = 48, finest = 1024;
   constexpr std::size_t block = 16384;
-  constexpr double spacings_per_cell = 1.1;
+  constexpr double spacings_per_cell = 1.1, growth = 1.25;
+  constexpr double least_beside = 0.75;  // 0.83 where beams are spread evenly
   const std::size_t n = cloud.size();
   const Eigen::Vector3f at = sensor.cast<float>();
   cell_of_point_.resize(n);
@@ -58,8 +89,14 @@ BeamGrid::BeamGrid(const CanonicalCloud& cloud, const Eigen::Vector3d& sensor) {
   side_ = std::clamp(
       static_cast<int>(coarse_side * std::sqrt(static_cast<double>(median)) / spacings_per_cell), 4,
       finest);
-  tiles_ = (side_ + 7) / 8;
   place_points(side_);
+  // Where beams lie closer along a line than lines to each other, cells as large as the mean would
+  // allow have empty ones beside them: they grow until few have.
+  while (side_ > 4 && share_beside(cell_of_point_, side_) < least_beside) {
+    side_ = std::max(4, static_cast<int>(side_ / growth));
+    place_points(side_);
+  }
+  tiles_ = (side_ + 7) / 8;
   tile_at_.assign(6 * static_cast<std::size_t>(tiles_) * static_cast<std::size_t>(tiles_), 0);
   const auto tile = [&](const Spot& here) -> std::uint32_t& {
     return tile_at_[static_cast<std::size_t>((here.face * tiles_ + here.y) * tiles_ + here.x)];

@@ -12,8 +12,8 @@
 namespace scanchor {
 
 /// Cells of a cube around the sensor, each face divided evenly, 1.1 spacings of the beams wide
-/// where the median beam lies. They are kept in tiles of 8 x 8, and only those that hold a point;
-/// all others are one empty tile, the first.
+/// where the median beam lies, wider where beams lie closer one way than the other. They are kept
+/// in tiles of 8 x 8, and only those that hold a point; all others are one empty tile, the first.
 class BeamGrid {
  public:
   BeamGrid(const CanonicalCloud& cloud, const Eigen::Vector3d& sensor);

@@ -36,6 +36,33 @@ TEST(BeamGrid, EveryPointIsInItsCellOnce) {
   EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<long>(cloud.size()));
 }
 
+// A scanner of few beams a line and many lines: no empty cells between what lies side by side.
+TEST(BeamGrid, BeamsThatLieCloserOneWayAreNeighboursTheOtherWay) {
+  for (const double ratio : {1.0, 4.0, 8.0}) {
+    std::vector<Eigen::Vector3d> points;
+    const double across = 0.02, along = across / ratio;
+    for (double a = -0.6; a < 0.6; a += along) {
+      for (double b = -0.6; b < 0.6; b += across) points.push_back({2.0, 2.0 * a, 2.0 * b});
+    }
+    std::vector<std::uint32_t> all(points.size());
+    std::iota(all.begin(), all.end(), 0U);
+    const auto cloud = canonical_cloud(points, all);
+    const Eigen::Vector3d sensor =
+        cloud.T_cloud_canonical.inverse() * Eigen::Vector3d(0.0, 0.0, 0.0);
+    const BeamGrid grid(cloud, sensor);
+    std::size_t empty = 0, asked = 0;
+    for (std::size_t i = 0; i < cloud.size(); i += 3) {
+      const Eigen::Vector3d p = points[cloud.source[cloud.first[i]]];
+      if (std::abs(p.y()) > 1.0 || std::abs(p.z()) > 1.0) continue;  // not the rim
+      for (const auto cell : grid.around<1>(grid.cell_of_point(i))) {
+        ++asked;
+        empty += grid.points(cell).empty() ? 1U : 0U;
+      }
+    }
+    EXPECT_LT(static_cast<double>(empty), 0.3 * static_cast<double>(asked)) << ratio;
+  }
+}
+
 // Across the edges of the cube too: what lies around a cell is near it in direction.
 TEST(BeamGrid, NeighboursLookTheSameWay) {
   const auto cloud = sphere_of_points(20000);
