@@ -85,8 +85,8 @@ class Reader {
 
   std::vector<Choice> choose() {
     std::vector<Choice> choices;
-    cut_all(0, choices);
-    for (int pieces = 2; pieces <= most_pieces; ++pieces) cut_all(pieces, choices);
+    cut_all({0}, choices);
+    cut_all({2, 3, 4, 5, most_pieces}, choices);
     join_all(choices);
     // The best first; what it reads anew is taken.
     std::stable_sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) {
@@ -181,28 +181,26 @@ class Reader {
     return score;
   }
 
-  /// Whether some class could win with these pieces at all: most cuts need no closer look.
-  /// What only a group holds together has to show where it ends: without seams it cannot.
-  [[nodiscard]] bool can_win(const std::vector<Surface>& pieces, bool at_seams,
-                             double needed) const {
+  /// The most that any class can get from the worst of these pieces: most cuts need no closer look.
+  /// What only a group holds together has to show where it ends: without seams it gets nothing.
+  [[nodiscard]] double most_of_all(const std::vector<Surface>& pieces, bool at_seams) const {
     Surfaces alone;
     alone.point_spacing = surfaces_.point_spacing;
     alone.surfaces = pieces;
+    double best = -INFINITY;
     const auto items = make_items(alone, R_);
     for (std::size_t c = 0; c < ontology_.classes.size(); ++c) {
       if (!ontology_.classes[c].part_of.empty()) continue;
-      const bool all = std::all_of(items.begin(), items.end(), [&](const Item& item) {
-        const double most = most_of(c, item);
-        return most > needed && (at_seams || std::isfinite(most));
-      });
-      if (all) return true;
+      double worst = INFINITY;
+      for (const auto& item : items) worst = std::min(worst, most_of(c, item));
+      if (at_seams || std::isfinite(worst)) best = std::max(best, worst);
     }
-    return false;
+    return best;
   }
 
   /// Every surface that may be cut is, in one scene: they are each other's neighbours, as the
-  /// boards of a rack are.
-  void cut_all(int pieces, std::vector<Choice>& choices) const {
+  /// boards of a rack are. Of several numbers of pieces the one that may get most is tried.
+  void cut_all(const std::vector<int>& numbers, std::vector<Choice>& choices) const {
     std::vector<std::int32_t> removed;
     std::vector<Cut> cuts;
     std::vector<Surface> added;
@@ -211,16 +209,26 @@ class Reader {
       // What is likelier than not as it is does not compete: a wide desk is no two narrow ones.
       const auto& as_it_is = as_it_is_.of_class[surface.id];
       if (as_it_is[as_it_is_.best(surface.id)] > 0.0) continue;
-      bool at_seams = false;
-      const auto places = cuts_of(surface, pieces, at_seams);
-      if (places.empty()) continue;
-      auto parts = cut_surface(surface, cloud_.points, places);
-      if (!parts || !are_equal(*parts)) continue;
-      const double against = at_seams ? prior_of_seam : prior_of_even_cut;
-      if (!can_win(*parts, at_seams, as_it_is_.all(surface.id) - against)) continue;
+      std::vector<Surface> best;
+      bool best_at_seams = false;
+      double most = -INFINITY;
+      for (const int pieces : numbers) {
+        bool at_seams = false;
+        const auto places = cuts_of(surface, pieces, at_seams);
+        if (places.empty()) continue;
+        auto parts = cut_surface(surface, cloud_.points, places);
+        if (!parts || !are_equal(*parts)) continue;
+        const double prior = at_seams ? prior_of_seam : prior_of_even_cut;
+        const double gain = most_of_all(*parts, at_seams) - as_it_is_.all(surface.id) + prior;
+        if (gain <= 0.0 || gain <= most) continue;
+        most = gain;
+        best = std::move(*parts);
+        best_at_seams = at_seams;
+      }
+      if (best.empty()) continue;
       removed.push_back(surface.id);
-      cuts.push_back({surface.id, at_seams, added.size(), parts->size()});
-      for (auto& part : *parts) added.push_back(std::move(part));
+      cuts.push_back({surface.id, best_at_seams, added.size(), best.size()});
+      for (auto& part : best) added.push_back(std::move(part));
     }
     if (removed.empty()) return;
     std::vector<std::int32_t> place;
