@@ -118,6 +118,41 @@ void keep_unique(std::vector<std::vector<Scored>>& scored, const Ontology& ontol
   }
 }
 
+/// What a shadow, a cable or a monitor's foot may hide between pieces of one top.
+constexpr double widest_gap = 0.4;  // [m]
+
+/// Are these and one more, lying in one plane, together no larger than the class is at most and
+/// usually is? The halves of a desk make a desk, two desks in a row do not. Of a class without a
+/// size only what touches is one.
+bool is_one(const std::vector<Clause>& clauses, const std::vector<Item>& items,
+            const std::vector<std::size_t>& pieces, const Item& more, bool touch) {
+  const Item& frame = items[pieces.front()];
+  Eigen::Vector2d low(INFINITY, INFINITY), high = -low;
+  const auto extend = [&](const Item& item) {
+    for (const double u : {-item.half_length, item.half_length}) {
+      for (const double v : {-item.half_width, item.half_width}) {
+        const Eigen::Vector3d corner = item.center + u * item.along + v * item.across;
+        const Eigen::Vector2d at(frame.along.dot(corner), frame.across.dot(corner));
+        low = low.cwiseMin(at);
+        high = high.cwiseMax(at);
+      }
+    }
+  };
+  for (const auto piece : pieces) extend(items[piece]);
+  extend(more);
+  const double length = (high - low).maxCoeff(), width = (high - low).minCoeff();
+  bool told = false;
+  for (const auto& clause : clauses) {
+    if (clause.kind != ClauseKind::feature || !clause.range.has_high()) continue;
+    if (clause.feature == Feature::extension) {
+      if (length > clause.range.high) return false;
+      told = true;
+    }
+    if (clause.feature == Feature::width && width > clause.range.high) return false;
+  }
+  return told || touch;
+}
+
 }  // namespace
 
 Entity make_entity(const Item& item, const Eigen::Matrix3d& R) {
@@ -299,10 +334,13 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
         if (taken[other] != 0 || entities[other].label != entities[first].label) continue;
         const Item& a = items[thing[k]];
         const Item& b = items[other];
-        if (a.box.exteriorDistance(b.box) > 0.2) continue;
-        const double bend = std::max(relate({Relation::orthogonal, {}}, a, b, {}).likelihood,
-                                     relate({Relation::coplanar, {}}, a, b, {}).likelihood);
-        if (bend < 0.5 || relate({Relation::touching, {}}, a, b, {}).likelihood < 0.5) continue;
+        if (a.box.exteriorDistance(b.box) > widest_gap) continue;
+        const bool in_plane = relate({Relation::coplanar, {}}, a, b, {}).likelihood >= 0.5;
+        const bool bent = relate({Relation::orthogonal, {}}, a, b, {}).likelihood >= 0.5;
+        const bool touch = relate({Relation::touching, {}}, a, b, {}).likelihood >= 0.5;
+        const auto& clauses = matcher.clauses(find(entities[first].label));
+        if (!(touch && bent) && !(in_plane && is_one(clauses, items, thing, items[other], touch)))
+          continue;
         taken[other] = 1;
         thing.push_back(other);
       }
