@@ -55,6 +55,15 @@ std::string is_one(const QueryRef& ref) {
 std::vector<AnswerStep> steps_of(const RefMatch& match, const QueryRef& ref, QueryMatcher& matcher,
                                  const SceneThings& scene, bool of_class);
 
+/// Why `id` is what is said of it.
+std::vector<AnswerStep> because_of(const QueryRef& ref, std::int32_t id, QueryMatcher& matcher,
+                                   const SceneThings& scene) {
+  for (const auto& target : matcher.match(ref)) {
+    if (target.id == id) return steps_of(target, ref, matcher, scene, true);
+  }
+  return {};
+}
+
 AnswerStep step_of(const ClauseMatch& match, std::int32_t id, QueryMatcher& matcher,
                    const SceneThings& scene) {
   const QueryClause& clause = *match.clause;
@@ -72,11 +81,8 @@ AnswerStep step_of(const ClauseMatch& match, std::int32_t id, QueryMatcher& matc
     const bool missed = step.measured < limits.low || step.measured > limits.high;
     if (missed && std::isfinite(needed)) step.needed = needed;
   }
-  if (match.targets.empty() || clause.targets.empty()) return step;
-  for (const auto& target : matcher.match(clause.targets.front())) {
-    if (target.id == match.targets.front())
-      step.because = steps_of(target, clause.targets.front(), matcher, scene, true);
-  }
+  if (!match.targets.empty() && !clause.targets.empty())
+    step.because = because_of(clause.targets.front(), match.targets.front(), matcher, scene);
   return step;
 }
 
@@ -93,9 +99,13 @@ std::vector<AnswerStep> steps_of(const RefMatch& match, const QueryRef& ref, Que
     steps.push_back(step_of(clause, match.id, matcher, scene));
   if (ref.rank) {
     AnswerStep step;
-    step.text = rank_text(ref);
+    step.text = order_text(ref);
     step.likelihood = match.rank;
-    step.unit = rank_unit(*ref.rank);
+    if (ref.rank_to.empty() || match.rank_to >= 0) step.unit = rank_unit(*ref.rank);
+    if (match.rank_to >= 0) {
+      step.targets = {match.rank_to};
+      step.because = because_of(ref.rank_to.front(), match.rank_to, matcher, scene);
+    }
     if (!step.unit.empty()) step.measured = std::abs(match.key);
     steps.push_back(std::move(step));
   }
@@ -117,6 +127,9 @@ AnswerThing thing_of(const RefMatch& match, const QueryRef& ref, QueryMatcher& m
         thing.anchors.push_back(t);
     }
   }
+  if (match.rank_to >= 0 &&
+      std::find(thing.anchors.begin(), thing.anchors.end(), match.rank_to) == thing.anchors.end())
+    thing.anchors.push_back(match.rank_to);
   return thing;
 }
 
@@ -224,7 +237,11 @@ void nothing_found(Answer& result, const QueryRef& ref, const std::vector<RefMat
       break;
     }
   }
-  if (failing != nullptr) result.failing = query_clause_text(*failing->clause);
+  if (failing != nullptr) {
+    result.failing = query_clause_text(*failing->clause);
+  } else if (!ref.rank_to.empty()) {
+    result.failing = order_text(ref);  // there is nothing to be near to
+  }
 }
 
 void find(Answer& result, const QueryRef& ref, QueryMatcher& matcher, const SceneThings& scene) {
@@ -321,6 +338,7 @@ Answer answer(const Query& query, const SceneThings& scene) {
     result.status = other.status == Answer::Status::ok ? Answer::Status::not_found : other.status;
     result.closest = std::move(other.closest);
     result.failing = std::move(other.failing);
+    if (other.status == Answer::Status::ok) result.failing = "is another " + second.name;
     return result;
   }
   result.things.push_back(other.things.front());

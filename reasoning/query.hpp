@@ -77,6 +77,8 @@ std::string ref_text(const QueryRef& ref);
 std::string query_clause_text(const QueryClause& clause);
 /// "nearest", "second highest".
 std::string rank_text(const QueryRef& ref);
+/// The same with what it is to: "nearest to a door".
+std::string order_text(const QueryRef& ref);
 
 struct RankWord {
   RankKey key;

@@ -16,6 +16,7 @@ constexpr double least_class = 0.01;
 
 /// P(exactly `rank` - 1 of independent rivals are better).
 double place_probability(const std::vector<double>& better, int place) {
+  if (static_cast<std::size_t>(place) > better.size() + 1) return 0.0;
   std::vector<double> p(static_cast<std::size_t>(place), 0.0);  // the last one: place - 1 or fewer
   p[0] = 1.0;
   for (const double b : better) {
@@ -105,7 +106,7 @@ ClauseMatch QueryMatcher::hold_relation(const QueryClause& clause, std::int32_t 
   for (const auto& target : match(clause.targets.front())) {
     if (target.id == id) continue;
     double product = 1.0;
-    double weakest = target.weakest;
+    double weakest = target.as_target();
     Evidence evidence;
     if (clause.kind == QueryClause::Kind::belongs) {
       product = scene_.belongs(id, target.id) ? 1.0 : 0.0;
@@ -153,12 +154,12 @@ ClauseMatch QueryMatcher::hold_with(const QueryClause& clause, std::int32_t id) 
     if (e.likelihood >= 0.5 && target.holds()) match_of.targets.push_back(target.id);
     if (value <= best) continue;
     best = value;
-    weakest = std::min(target.weakest, e.likelihood);
+    weakest = std::min(target.as_target(), e.likelihood);
     match_of.evidence = e;
     if (match_of.targets.empty()) match_of.targets = {target.id};
   }
   const bool any = clause.count_low == 1 && clause.count_high > 1'000'000;
-  if (clause.negated) {
+  if (clause.negated && any) {
     double none = 1.0;
     for (const double h : held) none *= 1.0 - h;
     deny(match_of, none, 1.0 - scene_.item(id).area.hidden);
@@ -168,6 +169,7 @@ ClauseMatch QueryMatcher::hold_with(const QueryClause& clause, std::int32_t id) 
     match_of.own = best < 0.0 ? 0.0 : match_of.evidence.likelihood;
   } else {
     match_of.value = count_probability(held, clause.count_low, clause.count_high);
+    if (clause.negated) match_of.value = 1.0 - match_of.value;
     match_of.weakest = match_of.own = match_of.value;
   }
   return match_of;
@@ -184,7 +186,7 @@ ClauseMatch QueryMatcher::hold_between(const QueryClause& clause, std::int32_t i
       const Evidence e = scene_.between(id, a.id, b.id);
       if (!best.targets.empty() && most * e.likelihood <= best.value) continue;
       best.value = most * e.likelihood;
-      best.weakest = std::min({a.weakest, b.weakest, e.likelihood});
+      best.weakest = std::min({a.as_target(), b.as_target(), e.likelihood});
       best.own = e.likelihood;
       best.evidence = e;
       best.targets = {a.id, b.id};
@@ -194,7 +196,8 @@ ClauseMatch QueryMatcher::hold_between(const QueryClause& clause, std::int32_t i
   return best;
 }
 
-std::pair<double, double> QueryMatcher::key_of(const QueryRef& ref, std::int32_t id) {
+std::pair<double, double> QueryMatcher::key_of(const QueryRef& ref, RefMatch& of) {
+  const std::int32_t id = of.id;
   const Item& item = scene_.item(id);
   const auto size = [](const Quantity& q, double sign) {
     return std::make_pair(sign * q.value, q.sigma);
@@ -221,7 +224,14 @@ std::pair<double, double> QueryMatcher::key_of(const QueryRef& ref, std::int32_t
         gap = distance.measured;
         sigma = distance.sigma;
       }
-      return {to == nullptr ? 1e3 : sign * gap, sigma};
+      if (to == nullptr) {
+        of.weakest = of.probability = 0.0;
+        return {1e3, sigma};
+      }
+      of.rank_to = to->id;
+      of.weakest = std::min(of.weakest, to->as_target());
+      of.probability *= to->probability;
+      return {sign * gap, sigma};
     }
     case RankKey::largest:
       return size(item.area, -1.0);
@@ -256,7 +266,7 @@ void QueryMatcher::put_in_order(const QueryRef& ref, std::vector<RefMatch>& matc
   bool have_base = false;
   const bool turns = *ref.rank == RankKey::leftmost || *ref.rank == RankKey::rightmost;
   for (auto& m : matches) {
-    auto key = key_of(ref, m.id);
+    auto key = key_of(ref, m);
     // Bearings are told apart around the first one: the scene may lie behind the robot's back.
     if (turns && !have_base) {
       base = key.first;

@@ -1,6 +1,7 @@
 #pragma once
 // A description held against everything in a labelled scene.
 
+#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -23,14 +24,17 @@ struct ClauseMatch {
 /// A whole description held against one thing.
 struct RefMatch {
   std::int32_t id = 0;
-  double of_class = 0.0;     ///< P(it is of the class)
-  double probability = 0.0;  ///< that all of it holds: the product of its steps
-  double weakest = 0.0;      ///< the least likely step but the order
-  double rank = 1.0;         ///< P(it has the place in the order that was asked for)
-  double key = 0.0;          ///< what it is put in order by, in metres, square metres or radians
+  double of_class = 0.0;      ///< P(it is of the class)
+  double probability = 0.0;   ///< that all of it holds: the product of its steps
+  double weakest = 0.0;       ///< the least likely step but the order
+  double rank = 1.0;          ///< P(it has the place in the order that was asked for)
+  double key = 0.0;           ///< what it is put in order by, in metres, square metres or radians
+  std::int32_t rank_to = -1;  ///< "nearest to a door": which; -1: from the robot, or there is none
   std::vector<ClauseMatch> clauses;
   /// Every step is likelier than not, and nothing was left unseen.
   [[nodiscard]] bool holds() const;
+  /// The least likely step of what is said of another thing's target, the order included.
+  [[nodiscard]] double as_target() const { return std::min(weakest, rank); }
 };
 
 class QueryMatcher {
@@ -48,8 +52,8 @@ class QueryMatcher {
   ClauseMatch hold_between(const QueryClause& clause, std::int32_t id);
   void put_in_order(const QueryRef& ref, std::vector<RefMatch>& matches);
   void need_viewpoint(const std::string& words) const;
-  /// Value to be small for the first place, and its deviation.
-  std::pair<double, double> key_of(const QueryRef& ref, std::int32_t id);
+  /// Value to be small for the first place, and its deviation. "Nearest to a door" wants the door.
+  std::pair<double, double> key_of(const QueryRef& ref, RefMatch& of);
 
   const SceneThings& scene_;
   std::map<const QueryRef*, std::vector<RefMatch>> known_;

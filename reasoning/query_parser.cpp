@@ -49,7 +49,7 @@ class QueryParser : private ClauseReader {
       said_of(thing, 0);
       query.refs.push_back(std::move(thing));
     } else {
-      const bool asked = accept("find") || accept("show") || accept("list") ||
+      const bool asked = accept("find") || accept("show") || accept("list") || accept("which") ||
                          accept_words("where is") || accept_words("where are");
       static_cast<void>(asked);
       query.refs.push_back(ref(0));
@@ -67,7 +67,7 @@ class QueryParser : private ClauseReader {
  private:
   void distance(Query& query) {
     query.kind = Query::Kind::distance;
-    const bool asked = accept("is");
+    const bool asked = accept("is") && !accept("it");
     if (accept("between")) {
       query.refs.push_back(ref(1));
       if (!accept("and")) fail(peek(), "'between' names two things: between a desk and a door");
@@ -86,6 +86,7 @@ class QueryParser : private ClauseReader {
 
   /// `depth` 0: what is asked for; only there an "and" outside of "that is" and brackets goes on.
   QueryRef ref(int depth) {
+    const Depth inner(*this);
     QueryRef result;
     result.definite = accept("the");
     if (!result.definite && !accept("a") && !accept("an")) {
@@ -94,11 +95,15 @@ class QueryParser : private ClauseReader {
     bool ordered = false;
     if (name_length() == 0) ordered = rank_words(result);
     class_name(result);
-    if (ordered && !result.rank && !at_words("from the"))
-      fail(peek(), "the " + ordinal_word(result.place) + " in which order?",
-           "write '" + ordinal_word(result.place) + " " + result.name +
-               " from the top', from the left, or '" + ordinal_word(result.place) + " nearest " +
-               result.name + "'");
+    const bool order_follows = at_words("from the") || at_words("nearest to") ||
+                               at_words("closest to") || at_words("farthest from") ||
+                               at_words("furthest from");
+    if (ordered && !result.rank && !order_follows) {
+      const std::string place = last_ ? "last" : ordinal_word(result.place);
+      fail(peek(), "the " + place + " in which order?",
+           "write '" + place + " " + result.name + " from the top', from the left, or '" + place +
+               " nearest " + result.name + "'");
+    }
     said_of(result, depth);
     return result;
   }
@@ -130,7 +135,18 @@ class QueryParser : private ClauseReader {
     for (const auto& [word, key] : others) {
       if (!result.rank && accept(word)) result.rank = key;
     }
+    turn_if_last(result);
     return ordered;
+  }
+
+  /// "last" counts an order from its other end.
+  void turn_if_last(QueryRef& result) {
+    if (!last_ || !result.rank) return;
+    const RankKey key = *result.rank;
+    for (const auto& entry : rank_vocabulary()) {
+      if (entry.key == key) result.rank = entry.opposite;
+    }
+    last_ = false;
   }
 
   /// Tokens of the longest class name here; 0: none.
@@ -182,6 +198,7 @@ class QueryParser : private ClauseReader {
 
   void said_of(QueryRef& result, int depth) {
     if (accept_sign("(")) {
+      const Depth inner(*this);
       said_of(result, 0);
       if (!accept_sign(")")) fail(peek(), "the bracket is not closed");
     }
@@ -221,7 +238,8 @@ class QueryParser : private ClauseReader {
   void that_is(QueryRef& result) {
     for (bool more = true; more;) {
       QueryClause clause;
-      if (!read_clause(clause, true)) {
+      const bool order = nearest_to(result);
+      if (!order && !read_clause(clause, true)) {
         const Token first = peek();
         std::vector<std::string> known = {"horizontal", "vertical", "rectangular", "not"};
         for (const auto& word : feature_vocabulary()) known.emplace_back(word.word);
@@ -232,7 +250,7 @@ class QueryParser : private ClauseReader {
                                             : "unknown clause '" + first.text + "'",
              suggestion(first.text, known));
       }
-      result.clauses.push_back(std::move(clause));
+      if (!order) result.clauses.push_back(std::move(clause));
       more = at_word("and");
       if (more) {
         take();
@@ -302,7 +320,11 @@ class QueryParser : private ClauseReader {
       clause.count_low = clause.count_high = whole_number();
       if (peek().kind == Token::Kind::dots) {
         take();
+        const Token high = peek();
         clause.count_high = whole_number();
+        if (clause.count_high < clause.count_low)
+          fail(high, "the range is empty: " + std::to_string(clause.count_low) + " is above " +
+                         std::to_string(clause.count_high));
       }
     }
     clause.targets.push_back(ref(1));
@@ -311,7 +333,7 @@ class QueryParser : private ClauseReader {
   int whole_number() {
     const Token token = peek();
     const double value = number();
-    if (value != static_cast<int>(value) || value < 0.0 || value > 1e6)
+    if (!(value >= 0.0 && value <= 1e6) || value != static_cast<int>(value))
       fail(token, "a count is a whole number, found '" + token.text + "'");
     return static_cast<int>(value);
   }
@@ -339,12 +361,7 @@ class QueryParser : private ClauseReader {
       take();
       take();
       result.rank = key;
-      if (last_) {
-        for (const auto& entry : rank_vocabulary()) {
-          if (entry.key == key) result.rank = entry.opposite;
-        }
-        last_ = false;
-      }
+      turn_if_last(result);
       return true;
     }
     return false;
@@ -366,6 +383,7 @@ class QueryParser : private ClauseReader {
     if (!key) return false;
     if (result.rank) fail(peek(), "there is an order already: '" + rank_text(result) + "'");
     result.rank = key;
+    turn_if_last(result);
     result.rank_to.push_back(ref(1));
     return true;
   }

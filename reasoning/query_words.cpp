@@ -18,12 +18,30 @@ std::string with_article(const std::string& noun, bool definite) {
   return (vowel ? "an " : "a ") + noun;
 }
 
+/// "chairs near a desk", without an article.
+std::string many_text(QueryRef ref) {
+  ref.definite = true;  // "the x", of which the article goes
+  ref.name = plural(ref.name);
+  return ref_text(ref).substr(4);
+}
+
 std::string count_text(const QueryClause& clause) {
   const bool open = clause.count_high == std::numeric_limits<int>::max();
   if (open) return "at least " + std::to_string(clause.count_low) + " ";
   if (clause.count_low == clause.count_high)
     return "exactly " + std::to_string(clause.count_low) + " ";
   return std::to_string(clause.count_low) + ".." + std::to_string(clause.count_high) + " ";
+}
+
+std::string clauses_text(const QueryRef& ref);
+
+/// What comes behind it is not said of it.
+std::string closed_text(const QueryRef& ref) {
+  if (!ref.rank_to.empty()) return ref_text(ref);
+  QueryRef bare = ref;
+  bare.clauses.clear();
+  const std::string inner = clauses_text(ref);
+  return ref_text(bare) + (inner.empty() ? "" : " (" + inner + ")");
 }
 
 std::string clauses_text(const QueryRef& ref) {
@@ -33,7 +51,8 @@ std::string clauses_text(const QueryRef& ref) {
     const bool last = i + 1 == ref.clauses.size();
     QueryClause bare = clause;
     std::string inner;
-    if (!bare.targets.empty() && !bare.targets.back().clauses.empty()) {
+    if (!bare.targets.empty() && !bare.targets.back().clauses.empty() &&
+        bare.targets.back().rank_to.empty()) {
       inner = clauses_text(bare.targets.back());
       // Words behind it, or an "and" of its own, would be said of the outer thing.
       if (!last || bare.targets.back().clauses.size() > 1) inner = "(" + inner + ")";
@@ -80,7 +99,19 @@ int ordinal_value(std::string_view word) {
 std::string ordinal_word(int value) {
   if (value <= static_cast<int>(ordinals.size()))
     return std::string(ordinals[static_cast<std::size_t>(value - 1)]);
-  return std::to_string(value) + "th";
+  const int last = value % 10;
+  const bool teen = value / 10 % 10 == 1;
+  const char* const end = teen || last == 0 || last > 3 ? "th"
+                          : last == 1                   ? "st"
+                          : last == 2                   ? "nd"
+                                                        : "rd";
+  return std::to_string(value) + end;
+}
+
+std::string order_text(const QueryRef& ref) {
+  if (ref.rank_to.empty()) return rank_text(ref);
+  return rank_text(ref) + (ref.rank == RankKey::farthest ? " from " : " to ") +
+         ref_text(ref.rank_to.front());
 }
 
 std::string rank_text(const QueryRef& ref) {
@@ -115,18 +146,17 @@ std::string query_clause_text(const QueryClause& clause) {
     case QueryClause::Kind::with: {
       const std::string target = ref_text(clause.targets.front());
       const bool one = clause.count_low == 1 && clause.count_high > 1'000'000;
-      if (clause.negated) return "without " + target;
-      if (one) return "with " + target;
-      QueryRef many = clause.targets.front();
-      many.definite = true;  // "the x", of which the article goes
-      return "with " + count_text(clause) + ref_text(many).substr(4);
+      if (one) return (clause.negated ? "without " : "with ") + target;
+      const QueryRef& what = clause.targets.front();
+      const bool single = clause.count_low == 1 && clause.count_high == 1;
+      QueryRef the_one = what;
+      the_one.definite = true;
+      return std::string(clause.negated ? "not " : "") + "with " + count_text(clause) +
+             (single ? ref_text(the_one).substr(4) : many_text(what));
     }
     case QueryClause::Kind::between: {
-      QueryRef first = clause.targets.front();
-      const std::string inner = clauses_text(first);
-      first.clauses.clear();
-      return std::string(clause.negated ? "not " : "") + "between " + ref_text(first) +
-             (inner.empty() ? "" : " (" + inner + ")") + " and " + ref_text(clause.targets.back());
+      return std::string(clause.negated ? "not " : "") + "between " +
+             closed_text(clause.targets.front()) + " and " + ref_text(clause.targets.back());
     }
   }
   return {};
@@ -136,13 +166,14 @@ std::string ref_text(const QueryRef& ref) {
   const std::string rank = rank_text(ref);
   std::string noun = rank.empty() ? ref.name : rank + " " + ref.name;
   if (!ref.rank_to.empty()) {
-    // "desk nearest to a door": the door's own words would run into the desk's.
-    QueryRef to = ref.rank_to.front();
-    const std::string inner = clauses_text(to);
-    to.clauses.clear();
-    const bool from = ref.rank == RankKey::farthest;
-    noun = ref.name + " " + rank + (from ? " from " : " to ") + ref_text(to) +
-           (inner.empty() ? "" : " (" + inner + ")");
+    // "desk (with a screen) nearest to a door": the words would run into each other.
+    QueryRef first = ref;
+    first.place = 1;
+    const std::string own = clauses_text(ref);
+    noun = (ref.place > 1 ? ordinal_word(ref.place) + " " : "") + ref.name +
+           (own.empty() ? " " : " (" + own + ") ") + rank_text(first) +
+           (ref.rank == RankKey::farthest ? " from " : " to ") + closed_text(ref.rank_to.front());
+    return with_article(noun, true);
   }
   const std::string said = clauses_text(ref);
   return with_article(noun, ref.definite || ref.rank.has_value()) +
@@ -154,9 +185,7 @@ std::string query_text(const Query& query) {
     case Query::Kind::find:
       return ref_text(query.refs.front());
     case Query::Kind::count: {
-      QueryRef many = query.refs.front();
-      many.definite = true;
-      return "count " + ref_text(many).substr(4);
+      return "count " + many_text(query.refs.front());
     }
     case Query::Kind::exists:
       return "is there " + ref_text(query.refs.front());

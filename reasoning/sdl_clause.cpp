@@ -7,6 +7,18 @@
 
 namespace scanchor {
 
+namespace {
+constexpr int deepest = 32;
+}
+
+ClauseReader::Depth::Depth(ClauseReader& reader) : reader_(reader) {
+  if (reader.depth_ >= deepest)
+    reader.fail(reader.peek(),
+                "more than " + std::to_string(deepest) + " descriptions lie in each other",
+                "describe the inner ones in a class of their own");
+  ++reader.depth_;
+}
+
 bool ClauseReader::simple_clause(Clause& clause) {
   for (const auto& word : feature_vocabulary()) {
     if (!at_word(word.word)) continue;
@@ -163,6 +175,7 @@ void ClauseReader::that_is(Clause& clause) {
     if (bracket) fail(peek(), "a bracket behind a class goes on with 'that is ...'");
     return;
   }
+  const Depth depth(*this);
   for (bool more = true; more;) {
     Clause one;
     one.place = place(peek());

@@ -25,6 +25,20 @@ class ClauseReader : public SdlCursor {
   Range range(int dimension, const std::string& what);
   double number();
 
+ protected:
+  /// Counts, while it lives, how many descriptions lie in each other; fails beyond what anybody
+  /// means, long before the stack ends.
+  class Depth {
+   public:
+    explicit Depth(ClauseReader& reader);
+    ~Depth() { --reader_.depth_; }
+    Depth(const Depth&) = delete;
+    Depth& operator=(const Depth&) = delete;
+
+   private:
+    ClauseReader& reader_;
+  };
+
  private:
   /// "that is horizontal and near a window": said of the class named just before. In brackets
   /// where an outer list goes on behind it.
@@ -32,6 +46,8 @@ class ClauseReader : public SdlCursor {
   RelationTerm relation_term();
   double unit(int dimension, const std::string& what, std::string& word);
   double distance(std::string& word);
+
+  int depth_ = 0;
 };
 
 }  // namespace scanchor

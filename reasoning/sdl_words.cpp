@@ -138,14 +138,6 @@ std::string term_text(const RelationTerm& term) {
   return relation_words(term.relation);
 }
 
-std::string plural(const std::string& noun) {
-  if (noun.ends_with("f")) return noun.substr(0, noun.size() - 1) + "ves";
-  for (const auto* end : {"s", "x", "sh", "ch"}) {
-    if (noun.ends_with(end)) return noun + "es";
-  }
-  return noun + "s";
-}
-
 std::string joined(const std::vector<RelationTerm>& terms) {
   std::string text;
   for (const auto& term : terms) text += (text.empty() ? "" : " and ") + term_text(term);
@@ -177,6 +169,14 @@ std::string that_is_text(const std::vector<Clause>& clauses) {
 }
 
 }  // namespace
+
+std::string plural(const std::string& noun) {
+  if (noun.ends_with("f")) return noun.substr(0, noun.size() - 1) + "ves";
+  for (const auto* end : {"s", "x", "sh", "ch"}) {
+    if (noun.ends_with(end)) return noun + "es";
+  }
+  return noun + "s";
+}
 
 std::string clause_text(const Clause& clause) {
   std::string text = clause.usually ? "usually " : "";

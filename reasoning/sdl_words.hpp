@@ -42,4 +42,7 @@ const UnitWord* find_unit(std::string_view word);
 /// Shortest text of a number, at most ten digits: "0.9", "15".
 std::string number_text(double value);
 
+/// "boxes", "shelves"; Ontology::find knows the class by it.
+std::string plural(const std::string& noun);
+
 }  // namespace scanchor

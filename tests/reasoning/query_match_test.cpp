@@ -169,6 +169,55 @@ TEST(QueryMatch, EqualsBruteForceOnRandomScenes) {
   EXPECT_GT(compared, 800U);
 }
 
+TEST(QueryMatch, PlacesBeyondAllThingsAreNobodys) {
+  auto scene = test::labelled({{test::desk_plate(), "desk"}, {test::screen_plate(), "monitor"}});
+  const SceneThings things(scene.surfaces, office(), scene.labelling);
+  const Query query = parse_query("2147483647th highest thing", office());
+  QueryMatcher matcher(things);
+  for (const auto& m : matcher.match(query.refs.front())) EXPECT_EQ(m.rank, 0.0);
+}
+
+TEST(QueryMatch, NearestToWantsWhatItIsTo) {
+  auto scene =
+      test::labelled({{test::desk_plate(), "desk", 0.8}, {test::screen_plate(), "monitor", 0.9}});
+  const SceneThings things(scene.surfaces, office(), scene.labelling);
+  const Query found = parse_query("screen nearest to a desk", office());
+  const Query missed = parse_query("screen nearest to a door", office());
+  QueryMatcher matcher(things);
+  const RefMatch& screen = matcher.match(found.refs.front()).front();
+  EXPECT_TRUE(screen.holds());
+  EXPECT_EQ(screen.rank_to, 0);
+  EXPECT_NEAR(screen.probability, 0.8 * 0.9, 1e-9);
+  EXPECT_FALSE(matcher.match(missed.refs.front()).front().holds());
+}
+
+TEST(QueryMatch, TargetsHaveThePlaceThatIsSaidOfThem) {
+  test::Plate lower = test::desk_plate(), near_it = test::screen_plate();
+  test::Plate upper = lower;
+  upper.center += Eigen::Vector3d(5.0, 0.0, 0.5);
+  auto scene = test::labelled({{lower, "desk"}, {near_it, "monitor"}, {upper, "desk"}});
+  const SceneThings things(scene.surfaces, office(), scene.labelling);
+  QueryMatcher matcher(things);
+  const Query right = parse_query("screen near the lowest desk", office());
+  const Query wrong = parse_query("screen near the highest desk", office());
+  EXPECT_TRUE(matcher.match(right.refs.front()).front().holds());
+  EXPECT_FALSE(matcher.match(wrong.refs.front()).front().holds());
+}
+
+TEST(QueryMatch, CountsMayBeDenied) {
+  auto scene =
+      test::labelled({{test::desk_plate(), "desk", 1.0}, {test::screen_plate(), "monitor", 0.9}});
+  const SceneThings things(scene.surfaces, office(), scene.labelling);
+  QueryMatcher matcher(things);
+  const Query one = parse_query("desk with exactly 1 screen", office());
+  const Query not_one = parse_query("desk not with exactly 1 screen", office());
+  const Query not_two = parse_query("desk not with 2 screens", office());
+  const double p = matcher.match(one.refs.front()).front().probability;
+  EXPECT_GT(p, 0.5);
+  EXPECT_NEAR(matcher.match(not_one.refs.front()).front().probability, 1.0 - p, 1e-9);
+  EXPECT_NEAR(matcher.match(not_two.refs.front()).front().probability, 1.0, 1e-9);
+}
+
 TEST(QueryMatch, SidesNeedAPlaceToLookFrom) {
   auto scene = test::labelled({{test::desk_plate(), "desk"}, {test::screen_plate(), "monitor"}});
   scene.surfaces.sensor_positions.clear();

@@ -44,9 +44,9 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"desk with no screen", "a desk without a monitor"},
         Row{"desk without a screen", "a desk without a monitor"},
         Row{"desk with a screen", "a desk with a monitor"},
-        Row{"desk with 2 screens", "a desk with exactly 2 monitor"},
+        Row{"desk with 2 screens", "a desk with exactly 2 monitors"},
         Row{"desk with at least 2 screens near a door",
-            "a desk with at least 2 monitor near a door"},
+            "a desk with at least 2 monitors near a door"},
         Row{"desk with area over 1 m2", "a desk that has area over 1 m2"},
         Row{"nearest desk", "the nearest desk"},
         Row{"the nearest chair to a desk", "the chair nearest to a desk"},
@@ -68,9 +68,22 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"chair not near a desk", "a chair not near a desk"},
         Row{"board that has top at most 1 m above a floor",
             "a shelf board top at most 1 m above a floor"},
-        Row{"how many chairs near a desk", "count chair near a desk"},
-        Row{"how many chairs are there", "count chair"},
-        Row{"how many chairs are near a desk", "count chair near a desk"},
+        Row{"how many chairs near a desk", "count chairs near a desk"},
+        Row{"how many chairs are there", "count chairs"},
+        Row{"how many chairs are near a desk", "count chairs near a desk"},
+        Row{"how many boards", "count shelf boards"}, Row{"count things", "count things"},
+        Row{"desk with 1 screen", "a desk with exactly 1 monitor"},
+        Row{"desk not with 2 screens", "a desk not with exactly 2 monitors"},
+        Row{"last nearest chair on the second desk from the left",
+            "the farthest chair on the second leftmost desk"},
+        Row{"second chair nearest to a desk", "the second chair nearest to a desk"},
+        Row{"last chair nearest to a desk", "the chair farthest from a desk"},
+        Row{"where is the screen that is nearest to the door and on a desk",
+            "the monitor (on a desk) nearest to the door"},
+        Row{"box near a desk (with a screen) nearest to a door that is vertical",
+            "a box near the desk (with a monitor) nearest to a door (that is vertical)"},
+        Row{"which desks are near a window", "a desk near a window"},
+        Row{"how far is it from a desk to a door", "distance from a desk to a door"},
         Row{"is there a chair near a desk?", "is there a chair near a desk"},
         Row{"Are there chairs", "is there a chair"},
         Row{"distance from the door to a desk", "distance from the door to a desk"},
@@ -104,6 +117,9 @@ TEST(QueryParser, ErrorsNameColumnCaretAndRemedy) {
   has("screen on", "the relation has no target");
   has("screen on a desk and", "nothing comes behind 'and'");
   has("second window", "the second in which order?");
+  has("last window", "the last in which order?");
+  has("desk with 3..1 screens", "question:1:14: the range is empty: 3 is above 1");
+  has("desk with 99999999999999999999 screens", "a count is a whole number");
   has("box between a desk", "'between' names two things");
   has("distance from a desk", "the distance to what?");
   has("desk within 2 of a door", "a unit is missing");
@@ -112,6 +128,18 @@ TEST(QueryParser, ErrorsNameColumnCaretAndRemedy) {
   has("desk not big", "'not' goes on with a relation");
   has("desk with 1.5 screens", "a count is a whole number");
   has("how many", "a class was expected here");
+}
+
+TEST(QueryParser, DeepQuestionsEndInAnError) {
+  std::string chain = "chair", that = "chair", brackets = "chair ";
+  for (int i = 0; i < 20000; ++i) {
+    chain += " on a desk";
+    that += " that is near a desk";
+    brackets += "(";
+  }
+  for (const auto& text : {chain, that, brackets})
+    EXPECT_NE(error_of(text).find("more than 32 descriptions lie in each other"),
+              std::string::npos);
 }
 
 TEST(QueryParser, SurvivesAnyText) {

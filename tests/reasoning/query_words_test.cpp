@@ -12,7 +12,10 @@ TEST(QueryWords, Ordinals) {
   EXPECT_EQ(ordinal_value("2nd"), 2);
   for (const auto* word : {"", "th", "2", "two", "0th", "-1st", "2ndd"})
     EXPECT_EQ(ordinal_value(word), 0) << word;
-  for (int i = 1; i < 14; ++i) EXPECT_EQ(ordinal_value(ordinal_word(i)), i);
+  EXPECT_EQ(ordinal_word(11), "11th");
+  EXPECT_EQ(ordinal_word(21), "21st");
+  EXPECT_EQ(ordinal_word(102), "102nd");
+  for (int i = 1; i < 130; ++i) EXPECT_EQ(ordinal_value(ordinal_word(i)), i);
 }
 
 TEST(QueryWords, EveryOrderHasItsOpposite) {

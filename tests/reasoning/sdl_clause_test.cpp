@@ -43,6 +43,22 @@ INSTANTIATE_TEST_SUITE_P(
                     Row{"near a desk that is near a box that has area over 1 m2 and lowest",
                         "near a desk that is near a box that has area over 1 m2 and is lowest"}));
 
+TEST(SdlClause, DeepDescriptionsEndInAnError) {
+  std::string text = "on a desk";
+  for (int i = 0; i < 100000; ++i) text += " that is near a desk";
+  const std::string file = "x.sdl";
+  ClauseReader reader(text, file);
+  reader.start(scan_line(text, 1));
+  Clause clause;
+  try {
+    reader.relation_clause(clause);
+    FAIL() << "read";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("more than 32 descriptions lie in each other"),
+              std::string::npos);
+  }
+}
+
 TEST(SdlClause, NameStopsBeforeWhatIsSaidOfIt) {
   const std::string text = "meeting table 2 that is lowest";
   const std::string file = "x.sdl";
