@@ -1,5 +1,7 @@
 #include "eval/score.hpp"
 
+#include <cmath>
+
 #include "core/json.hpp"
 
 namespace scanchor {
@@ -22,12 +24,27 @@ std::int64_t count_in(const JsonReader& reader) {
   if (value < 0) reader.fail("must not be below 0");
   return value;
 }
-// FixedSum lies on a grid of 2^-36: as a double it is exact up to 2^17, and reads back to the same
-// sum.
+// FixedSum lies on a grid of 2^-36: as a double it is exact up to 2^17 and reads back to the same
+// sum. Larger ones are written as a whole number and a rest, [136393, 0.4725], both exact.
 FixedSum sum_in(const JsonReader& reader) {
   FixedSum sum;
-  sum.add(reader.number_in(-6e7, 6e7));
+  if (reader.raw().is_array()) {
+    sum.add(reader.at(std::size_t{0}).number_in(-6e7, 6e7));
+    sum.add(reader.at(1).number_in(-1.0, 1.0));
+  } else {
+    sum.add(reader.number_in(-6e7, 6e7));
+  }
   return sum;
+}
+
+Json sum_out(const FixedSum& sum) {
+  FixedSum back;
+  back.add(sum.value());
+  if (back == sum) return sum.value();
+  const double whole = std::trunc(sum.value());
+  FixedSum rest = sum;
+  rest.add(-whole);
+  return Json::array({whole, rest.value()});
 }
 
 void put(Json& json, const char* name, Json value) { json[name] = std::move(value); }
@@ -36,7 +53,7 @@ Json fields_out(const Fields& fields) {
   Json json = Json::object();
   for (const auto& field : fields) {
     if (field.count) put(json, field.name, *field.count);
-    if (field.sum) put(json, field.name, field.sum->value());
+    if (field.sum) put(json, field.name, sum_out(*field.sum));
   }
   return json;
 }

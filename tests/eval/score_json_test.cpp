@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "core/random.hpp"
 #include "eval/score.hpp"
 #include "eval/truth.hpp"
 #include "tests/eval/support/small_scan.hpp"
@@ -33,6 +35,18 @@ TEST(ScoreJson, ReadsBackToTheSameCounts) {
   EXPECT_EQ(score_from_json(json, "scores.json"), score);
   EXPECT_EQ(score_from_json(nlohmann::ordered_json::parse(json.dump()), "scores.json"), score);
   EXPECT_EQ(json["metrics"]["objects.f1"], metric(score, Protocol{}, "objects.f1"));
+}
+
+// Squared degrees of a hundred rooms are more than 53 bits on the grid of the sums.
+TEST(ScoreJson, LargeSumsReadBackToTheLastBit) {
+  SequentialRandom random(11);
+  for (int round = 0; round < 200; ++round) {
+    Score score = full_score();
+    const double size = std::pow(10.0, random.uniform(-6.0, 7.0));
+    for (int i = 0; i < 4; ++i)
+      score.geometry.normal_deg.squared.add(size * random.uniform(-1.0, 1.0));
+    EXPECT_EQ(score_from_json(score_to_json(score, Protocol{}), "score.json"), score) << size;
+  }
 }
 
 TEST(ScoreJson, BrokenFilesAreNamed) {
