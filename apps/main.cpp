@@ -15,7 +15,10 @@ extern "C" void on_interrupt(int) { scanchor::apps::interrupted = true; }
 /// CLI11's messages are sentences already; the exit code is ours.
 int usage_error(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-  fmt::print(stderr, "scanchor: {}; see scanchor --help\n", error.what());
+  std::string verb = app.get_name();
+  for (auto verbs = app.get_subcommands(); !verbs.empty(); verbs = verbs.front()->get_subcommands())
+    verb += " " + verbs.front()->get_name();
+  fmt::print(stderr, "scanchor: {}; see {} --help\n", error.what(), verb);
   return static_cast<int>(scanchor::ExitCode::wrong_usage);
 }
 

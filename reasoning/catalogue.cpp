@@ -73,10 +73,12 @@ std::string catalogue_markdown(const Ontology& ontology) {
     if (const auto comment = comment_text(description); !comment.empty())
       out += "\n" + comment + "\n";
     if (!description.clauses.empty())
-      out += "\n| clause | holds of the class | of anything else |\n| --- | --- | --- |\n";
+      out +=
+          "\n| clause | holds of the class | of anything else | weight |\n| --- | --- | --- | --- "
+          "|\n";
     for (const auto& clause : description.clauses) {
-      out += fmt::format("| {} | {:.2f} | {:.2f} |\n", clause_text(clause), hit_rate_of(clause),
-                         background_of(clause));
+      out += fmt::format("| {} | {:.2f} | {:.2f} | {:.2f} |\n", clause_text(clause),
+                         hit_rate_of(clause), background_of(clause), weight_of(clause));
     }
     if (const auto users = built_on(ontology, description.name()); !users.empty())
       out += "\nAsked for by: " + joined(users) + "\n";
@@ -107,7 +109,8 @@ nlohmann::ordered_json catalogue_json(const Ontology& ontology) {
     for (const auto& clause : description.clauses) {
       one["clauses"].push_back({{"clause", clause_text(clause)},
                                 {"hit_rate", hit_rate_of(clause)},
-                                {"background", background_of(clause)}});
+                                {"background", background_of(clause)},
+                                {"weight", weight_of(clause)}});
     }
     one["asked_for_by"] = built_on(ontology, description.name());
     json["classes"].push_back(std::move(one));

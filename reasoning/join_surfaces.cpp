@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math.hpp"
 #include "reasoning/recut_frame.hpp"
 
 namespace scanchor {
@@ -59,7 +60,7 @@ Surface join_surfaces(const Surface& first, const Surface& second) {
       side(a.rectangle.width, size.y(), a.rectangle.width.at_least || b.rectangle.width.at_least);
   if (r.width.value > r.length.value) {
     std::swap(r.width, r.length);
-    r.angle += 0.5 * 3.14159265358979323846;
+    r.angle += 0.5 * pi;
   }
   const double seen = a.area.value + b.area.value;
   s.area = {seen, seen - (a.area.value - a.area.low) - (b.area.value - b.area.low),

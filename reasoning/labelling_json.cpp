@@ -150,13 +150,20 @@ Labelling labelling_from_json(const nlohmann::ordered_json& json, const std::str
     entity.area = object.at("area").number();
     entity.pose = object.at("pose").pose();
     entity.surfaces = integers(object.at("surfaces"));
+    for (const auto s : entity.surfaces) {
+      if (s < 0 || static_cast<std::size_t>(s) >= labelling.entity_of_surface.size())
+        object.at("surfaces").fail("names surface " + std::to_string(s) + ", which is not there");
+    }
     if (object.has("members")) entity.members = integers(object.at("members"));
     for (const auto m : entity.members) {
       if (m < 0 || m >= count)
         object.at("members").fail("names entity " + std::to_string(m) + ", which is not there");
     }
-    if (object.has("part_of"))
+    if (object.has("part_of")) {
       entity.whole = static_cast<std::int32_t>(object.at("part_of").integer());
+      if (entity.whole < 0 || entity.whole >= count)
+        object.at("part_of").fail("is " + std::to_string(entity.whole) + ", which is not there");
+    }
     const auto classes = object.at("classes");
     for (std::size_t c = 0; c < classes.size(); ++c) {
       entity.classes.push_back(

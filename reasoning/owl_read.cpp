@@ -99,6 +99,8 @@ std::string after_hash(const std::string& name) {
   return at == std::string::npos ? name : name.substr(at + 1);
 }
 
+constexpr int deepest = 32;  // descriptions in each other, as in class files
+
 class Back {
  public:
   Back(const Graph& graph, const std::string& file) : graph_(graph), file_(file) {}
@@ -136,6 +138,10 @@ class Back {
   std::string target_words(const std::string& node) const {
     std::string list = text_of(graph_, node, owl_space + "intersectionOf");
     if (list.empty()) return class_name(node);
+    if (depth_ >= deepest)
+      fail_data(file_, "intersection " + node,
+                "lies in itself, or more than " + std::to_string(deepest) + " deep");
+    ++depth_;
     std::string named;
     std::string said;
     for (int guard = 0; guard < 64 && !list.empty() && list != rdf_space + "nil"; ++guard) {
@@ -156,6 +162,7 @@ class Back {
       }
       list = text_of(graph_, list, rdf_space + "rest");
     }
+    --depth_;
     if (named.empty()) fail_data(file_, "intersection", "names no class");
     return named + said;
   }
@@ -197,7 +204,28 @@ class Back {
 
   const Graph& graph_;
   const std::string& file_;
+  mutable int depth_ = 0;  ///< intersections around the one that is read
 };
+
+/// The reader of Turtle calls itself for each bracket: how deep they lie, text and names aside.
+int bracket_depth(const std::string& turtle) {
+  int depth = 0, most = 0;
+  char until = '\0';  // end of a comment, a name or a text
+  for (std::size_t i = 0; i < turtle.size(); ++i) {
+    const char c = turtle[i];
+    if (until != '\0') {
+      if (until == '"' && c == '\\') ++i;
+      if (c == until) until = '\0';
+      continue;
+    }
+    if (c == '#') until = '\n';
+    if (c == '<') until = '>';
+    if (c == '"' || c == '\'') until = c;
+    if (c == '(' || c == '[') most = std::max(most, ++depth);
+    if (c == ')' || c == ']') --depth;
+  }
+  return most;
+}
 
 int order_of(const Graph& graph, const std::string& subject) {
   const Value* order = find(graph, subject, sdl_space + "order");
@@ -207,6 +235,8 @@ int order_of(const Graph& graph, const std::string& subject) {
 }  // namespace
 
 Ontology ontology_from_turtle(const std::string& turtle, const std::string& file) {
+  if (bracket_depth(turtle) > 4 * deepest)
+    fail_data(file, "", "brackets lie more than " + std::to_string(4 * deepest) + " deep");
   Reading reading;
   reading.env = serd_env_new(nullptr);
   SerdReader* reader =

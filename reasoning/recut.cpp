@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/math.hpp"
 #include "reasoning/recut_frame.hpp"
 
 namespace scanchor {
@@ -114,7 +115,7 @@ std::optional<Surface> piece(const Surface& whole, const std::vector<Eigen::Vect
   r.width = side(whole.rectangle.width, y_high - y_low, whole.rectangle.width.at_least);
   if (r.width.value > r.length.value) {
     std::swap(r.width, r.length);
-    r.angle += 0.5 * 3.14159265358979323846;
+    r.angle += 0.5 * pi;
   }
   const double area = area_of(s);
   const double of_whole = area_of(whole);

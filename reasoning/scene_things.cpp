@@ -41,9 +41,15 @@ SceneThings::SceneThings(const Surfaces& surfaces, const Ontology& ontology,
   around_.up_sigma = labelling.up_sigma;
   if (!surfaces.sensor_positions.empty()) around_.viewpoint = R * surfaces.sensor_positions.front();
   items_ = make_items(surfaces, R);
-  for (std::size_t e = items_.size(); e < labelling.entities.size(); ++e)
-    items_.push_back(
-        make_group(items_, labelling.entities[e].members, static_cast<std::int32_t>(e)));
+  for (std::size_t e = items_.size(); e < labelling.entities.size(); ++e) {
+    const auto& members = labelling.entities[e].members;
+    const auto id = static_cast<std::int32_t>(e);
+    if (members.empty() ||
+        std::any_of(members.begin(), members.end(), [&](std::int32_t m) { return m >= id; }))
+      fail_data("labels.json", "object " + std::to_string(e),
+                "is no surface and no group of what stands before it", "label the scan again");
+    items_.push_back(make_group(items_, members, id));
+  }
 
   std::vector<Evidence> level;
   for (std::size_t s = 0; s < surfaces.surfaces.size(); ++s)

@@ -23,8 +23,8 @@ TEST_P(Help, HasAnExampleAndTheCommonFlags) {
 
 INSTANTIATE_TEST_SUITE_P(Verbs, Help,
                          testing::Values("run", "generate", "label", "segment", "score", "render",
-                                         "explain", "find", "report", "figures", "gallery", "check",
-                                         "baseline", "sweep", "blame", "shrink"),
+                                         "explain", "find", "fit", "report", "figures", "gallery",
+                                         "check", "baseline", "sweep", "blame", "shrink"),
                          [](const auto& row) { return std::string(row.param); });
 
 TEST(Help, EachVerbOfOntologies) {
@@ -39,6 +39,12 @@ TEST(Help, EachVerbOfOntologies) {
 TEST(Help, VersionAndNoVerb) {
   EXPECT_EQ(run_scanchor("--version").out.rfind("scanchor ", 0), 0U);
   EXPECT_EQ(run_scanchor("").code, 2);
+}
+
+TEST(Help, ErrorsNameTheHelpOfTheirVerb) {
+  EXPECT_NE(run_scanchor("find").error.find("see scanchor find --help"), std::string::npos);
+  EXPECT_NE(run_scanchor("ontology show").error.find("see scanchor ontology show --help"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ TEST(Catalogue, MarkdownSaysAllThatIsKnown) {
   EXPECT_NE(page.find("## desk\n\nalso called table\n\nTables as sold.\n\n| clause |"),
             std::string::npos)
       << page;
-  EXPECT_NE(page.find("| area 1..2 m2 | 0.97 | 0.09 |"), std::string::npos) << page;
+  EXPECT_NE(page.find("| area 1..2 m2 | 0.97 | 0.09 | 1.00 |"), std::string::npos) << page;
   EXPECT_NE(page.find("## screen\n\npart of *desk*"), std::string::npos);
   EXPECT_NE(page.find("Asked for by: desk, screen"), std::string::npos) << "floor, further in too";
 }

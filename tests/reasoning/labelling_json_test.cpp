@@ -31,6 +31,10 @@ TEST(LabellingJson, RefusesWhatIsBroken) {
                                                                    {"/objects/1/id", 7},
                                                                    {"/objects/0/probability", 1.5},
                                                                    {"/entity_of_surface/0", 99},
+                                                                   {"/objects/0/surfaces/0", 99},
+                                                                   {"/objects/0/surfaces/0", -1},
+                                                                   {"/objects/0/part_of", 99},
+                                                                   {"/objects/0/part_of", -1},
                                                                    {"/up", "z"}}) {
     auto broken = json;
     broken[nlohmann::ordered_json::json_pointer(pointer)] = value;

@@ -99,6 +99,40 @@ TEST(OwlRead, RefusesWhatIsNoTurtle) {
   EXPECT_THROW(ontology_from_turtle("", "x.ttl"), Error);
 }
 
+TEST(OwlRead, RefusesCirclesAndDeepBrackets) {
+  const std::string prefixes = R"(
+@prefix : <http://example.org/own#> .
+@prefix sdl: <https://scanchor.example/sdl#> .
+@prefix owl: <http://www.w3.org/2002/07/owl#> .
+@prefix rdf: <http://www.w3.org/1999/02/22-rdf-syntax-ns#> .
+@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .
+)";
+  const auto error_of = [&](const std::string& text) -> std::string {
+    try {
+      ontology_from_turtle(prefixes + text, "x.ttl");
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(error_of(R"(
+:desk a owl:Class ; rdfs:subClassOf _:near .
+_:near a owl:Restriction ; owl:onProperty sdl:near ; owl:someValuesFrom _:both .
+_:both a owl:Class ; owl:intersectionOf _:first .
+_:first rdf:first :desk ; rdf:rest _:second .
+_:second rdf:first _:near ; rdf:rest rdf:nil .
+)")
+                .find("lies in itself"),
+            std::string::npos);
+  for (const char bracket : {'(', '['}) {
+    EXPECT_NE(error_of(":desk owl:x " + std::string(100000, bracket)).find("brackets lie more"),
+              std::string::npos);
+  }
+  EXPECT_EQ(error_of(":desk a owl:Class ; rdfs:comment \"" + std::string(1000, '(') +
+                     "\" ; rdfs:subClassOf [ owl:onProperty sdl:lowest ; owl:hasValue true ] ."),
+            "");
+}
+
 #else
 
 TEST(OwlRead, SaysThatItIsNotBuiltIn) { EXPECT_THROW(ontology_from_turtle("", "x.ttl"), Error); }

@@ -76,5 +76,14 @@ TEST(SceneThings, RefusesALabellingOfOtherSurfaces) {
   EXPECT_THROW(SceneThings(test::make_surfaces({}), office(), scene.labelling), Error);
 }
 
+TEST(SceneThings, RefusesGroupsOfNothingOrOfThemselves) {
+  for (const auto& members : {std::vector<std::int32_t>{}, std::vector<std::int32_t>{0, 2}}) {
+    auto scene = test::labelled({{test::desk_plate(), "desk"}, {test::screen_plate(), "monitor"}});
+    test::add_group(scene, {0, 1}, "shelf");
+    scene.labelling.entities.back().members = members;
+    EXPECT_THROW(SceneThings(scene.surfaces, office(), scene.labelling), Error);
+  }
+}
+
 }  // namespace
 }  // namespace scanchor
