@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 
@@ -109,8 +110,10 @@ int run(Arguments& arguments) {
   json["file"] = out.string();
   answer(arguments.common, json);
   say(arguments.common, "Counted on " + fitted_on + ".");
-  say(arguments.common, fmt::format("Unknown {:.2f}, exponent of the likelihood ratios {:.2f}.",
-                                    background.unknown_prior, background.temperature));
+  const auto silent = std::count_if(background.rates.begin(), background.rates.end(),
+                                    [](const ClauseRates& rate) { return rate.weight < 0.01; });
+  say(arguments.common, fmt::format("Prior of unknown {:.2f}; {} clauses add nothing (weight 0).",
+                                    background.unknown_prior, silent));
   say(arguments.common, fmt::format("{} clauses of {} classes: {}", background.rates.size(),
                                     ontology.classes.size(), out.string()));
   return 0;
@@ -120,9 +123,10 @@ int run(Arguments& arguments) {
 
 void add_fit(CLI::App& root, ExitCodeSlot& code) {
   auto* verb = root.add_subcommand(
-      "fit", "Count on training rooms how often each clause of a class file holds");
+      "fit", "Count on training rooms how often each clause of a class file holds, and weigh it");
   verb->footer(
-      "Example:\n  scanchor fit office --ontology office --out ontologies/office.background.json\n"
+      "Example:\n  scanchor fit work-training --ontology office --out "
+      "office.background.json\n"
       "Only rooms of the suite's training part are looked at.");
   auto arguments = std::make_shared<Arguments>();
   verb->add_option("suite", arguments->suite, "A suite by name or file")

@@ -1,5 +1,5 @@
 #pragma once
-// Counting, on training scenes, how often each clause holds: `scanchor fit`.
+// Counting, on training scenes, how often each clause holds and what it adds: `scanchor fit`.
 
 #include <string>
 #include <vector>
@@ -19,11 +19,11 @@ struct TrainingScene {
       classes;  ///< true class name of each surface; "" for surfaces that are of no single thing
 };
 
-/// Hit rate and background of every clause, priors, and the temperature that makes the labels'
-/// probabilities calibrated. `fitted_on`: stored as it is, say which suite and which seeds.
-/// Deterministic; scenes are taken in their order. A class is taught by surfaces whose true name is
-/// one of its names; a part by those of its whole that meet its own features; a group by its
-/// members. Classes without examples keep their default rates and a prior of one in a thousand
+/// Hit rate, background and weight of every clause, and priors (fit_weights.hpp). `fitted_on`:
+/// stored as it is, say which suite and which seeds. Deterministic; scenes are taken in their
+/// order. A class is taught by surfaces whose true name is one of its names; a part by those of its
+/// whole that meet its own features; a group by what most of its members' area is. Classes without
+/// examples stay near their default rates, weights of one half and a prior of one in a thousand
 /// surfaces. Throws Error(bad_data): a scene whose `classes` and surfaces differ in number, no
 /// scene at all.
 Background fit_backgrounds(const Ontology& ontology, const std::vector<TrainingScene>& scenes,
