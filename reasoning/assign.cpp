@@ -94,6 +94,14 @@ void name_the_part(Entity& entity, const std::vector<Scored>& scored, const Onto
   if (best != nullptr) entity.label = ontology.classes[best->class_index].name();
 }
 
+/// Its label is taken back; what it may be stays in `classes`.
+void withdraw(Entity& entity) {
+  entity.label = "unknown";
+  for (const auto& c : entity.classes) {
+    if (c.name == "unknown") entity.probability = c.probability;
+  }
+}
+
 /// `unique` classes go to the entity that is most likely one; the others have to be something else.
 void keep_unique(std::vector<std::vector<Scored>>& scored, const Ontology& ontology) {
   for (std::size_t c = 0; c < ontology.classes.size(); ++c) {
@@ -287,7 +295,7 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
         alone += entities[m].probability / static_cast<double>(entities[g].members.size());
     }
     if (!free || alone > entities[g].probability) {
-      entities[g].label = "unknown";
+      withdraw(entities[g]);
       continue;
     }
     for (const auto m : entities[g].members) {
@@ -312,6 +320,8 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
       entities[whole].surfaces.push_back(static_cast<std::int32_t>(i));
       break;
     }
+    // A leg where no chair was found is not worth a name.
+    if (entity.whole < 0) withdraw(entity);
   }
 
   // Faces of one thing: they meet at a right angle or lie in one plane, and are of one class that

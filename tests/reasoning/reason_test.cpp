@@ -120,8 +120,11 @@ TEST(Reason, WithoutAFloorNothingStandsOnIt) {
 
 TEST(Reason, UpsideDownIsNotNamedWithConfidence) {
   auto plates = office();
-  for (int i = 0; i < 4; ++i)
-    plates.push_back({{-2.1 + 1.45 * i, 0.0, 0.74}, {0, 0, 1}, {1, 0, 0}, 1.4, 0.75});
+  for (int i = 0; i < 4; ++i) {  // workplaces in a row
+    const double x = -2.1 + 1.45 * i;
+    plates.push_back({{x, 0.0, 0.74}, {0, 0, 1}, {1, 0, 0}, 1.4, 0.75});
+    plates.push_back({{x, 0.2, 1.06}, {0, 1, 0}, {1, 0, 0}, 0.54, 0.32});
+  }
   auto surfaces = test::make_surfaces(plates);
   surfaces.sensor_positions = {Eigen::Vector3d(0.2, -0.8, 1.4)};
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
