@@ -115,6 +115,8 @@ VectorPicture outlines_of_file(const fs::path& input, const Arguments& arguments
                                const PictureOptions& options) {
   if (is_surfaces(input)) return outlines_of_surfaces(read_surfaces(input), options);
   if (!is_labels(input)) {
+    if (!fs::exists(input))
+      fail_data(input.string(), "", "cannot be opened: No such file or directory");
     fail_usage("--out: an SVG file holds outlines, and " + input.string() + " has none",
                "name surfaces.json or labels.json, or write a PNG file");
   }

@@ -13,6 +13,7 @@ namespace scanchor {
 namespace {
 
 constexpr double most_unseen_stand = 0.45;  // [m] stands of screens hold them up to 0.4 m high
+constexpr double hangs_before = 0.12;       // [m] what hangs on a wall
 
 /// The point of a footprint that is nearest to p.
 Eigen::Vector2d nearest_point(const Footprint& foot, const Eigen::Vector2d& p) {
@@ -141,10 +142,29 @@ double SceneThings::fixed_to_something(std::int32_t id) const {
     if (b.group || b.id == id || b.area.value < 4.0 * a.area.value) continue;
     if (a.box.exteriorDistance(b.box) > 0.15) continue;
     RelationTerm flat{Relation::coplanar, {}};
-    flat.range.high = 0.12;
+    flat.range.high = hangs_before;
     most = std::max(most, scanchor::relate(flat, a, b, around_).likelihood);
   }
   return most;
+}
+
+Evidence SceneThings::hangs_on(std::int32_t a, std::int32_t b) const {
+  Evidence best;
+  const Item& hanging = items_[a];
+  for (const auto face : faces(b)) {
+    const Item& behind = items_[face];
+    const Eigen::Vector3d d = hanging.center - behind.center;
+    if (hanging.group || behind.group || behind.area.value <= hanging.area.value ||
+        std::abs(behind.along.dot(d)) > behind.half_length ||
+        std::abs(behind.across.dot(d)) > behind.half_width)
+      continue;
+    RelationTerm flat{Relation::coplanar, {}};
+    flat.range.high = hangs_before;
+    Evidence on = scanchor::relate(flat, hanging, behind, around_);
+    on.likelihood *= vertical(behind, around_, 10.0).likelihood;
+    if (on.likelihood > best.likelihood) best = on;
+  }
+  return best;
 }
 
 Evidence SceneThings::stands_on(std::int32_t a, std::int32_t b) const {
@@ -172,8 +192,11 @@ Evidence SceneThings::relate(const RelationTerm& term, std::int32_t a, std::int3
   if (a == b || entity(a).whole == b || entity(b).whole == a || belongs(a, b) || belongs(b, a))
     return {};
   switch (term.relation) {
-    case Relation::on:
-      return stands_on(a, b);
+    case Relation::on: {
+      const Evidence stands = stands_on(a, b);
+      const Evidence hangs = hangs_on(a, b);
+      return hangs.likelihood > stands.likelihood ? hangs : stands;
+    }
     case Relation::supports:
       return stands_on(b, a);
     case Relation::near:

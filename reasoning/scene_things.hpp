@@ -36,7 +36,7 @@ class SceneThings {
   [[nodiscard]] Evidence own(const Clause& clause, std::int32_t id) const;
   /// A relation of `a` to `b`; 0 between a thing and its own parts. `on`, `near` and `touching`
   /// look at all faces, and `on` allows for a stand or legs that were not seen: a gap of up to 45
-  /// cm to a thing that is not fixed to anything larger.
+  /// cm to a thing that is not fixed to anything larger. A picture is on the wall that it hangs on.
   [[nodiscard]] Evidence relate(const RelationTerm& term, std::int32_t a, std::int32_t b) const;
   /// Part or member.
   [[nodiscard]] bool belongs(std::int32_t part, std::int32_t whole) const;
@@ -50,6 +50,7 @@ class SceneThings {
  private:
   [[nodiscard]] std::vector<std::int32_t> faces(std::int32_t id) const;
   [[nodiscard]] Evidence stands_on(std::int32_t a, std::int32_t b) const;
+  [[nodiscard]] Evidence hangs_on(std::int32_t a, std::int32_t b) const;
   [[nodiscard]] double fixed_to_something(std::int32_t id) const;
 
   const Ontology& ontology_;

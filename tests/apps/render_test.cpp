@@ -120,6 +120,7 @@ TEST(RenderLimits, WhatCannotBeDrawnIsOneLine) {
       {"render alone/labels.json --out x.png", 3, "surfaces.json"},
       {"render " + room() + "labels.json --relations 100000 --out x.png", 2, "has no thing"},
       {"render one.xyz --out x.svg", 2, "surfaces.json or labels.json"},
+      {"render nosuch.json --out x.svg", 3, "cannot be opened"},
       {"render " + room() + "labels.json " + room() + "labels.json --out x.svg", 2, "one thing"},
       {"render one.xyz --out x.bmp", 2, ".png or .svg"},
       {"figures --out file/below", 3, "file"},

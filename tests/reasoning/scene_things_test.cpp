@@ -57,6 +57,19 @@ TEST(SceneThings, AStandThatWasNotSeenHoldsAScreenUpButNoPicture) {
   EXPECT_LT(on(0.30, 1.65), 0.05) << "it hangs on the wall behind it";
 }
 
+TEST(SceneThings, PicturesAreOnTheirWall) {
+  const auto on_wall = [](double before, double x) {
+    const auto scene =
+        test::labelled({{{{0, 2.5, 1.35}, {0, -1, 0}, {1, 0, 0}, 6.0, 2.7}, "wall"},
+                        {{{x, 2.5 - before, 1.5}, {0, -1, 0}, {1, 0, 0}, 1.0, 0.7}, "picture"}});
+    return SceneThings(scene.surfaces, office(), scene.labelling).relate({Relation::on, {}}, 1, 0);
+  };
+  EXPECT_GT(on_wall(0.03, 0.0).likelihood, 0.95);
+  EXPECT_NEAR(on_wall(0.03, 0.0).measured, 0.03, 1e-6);
+  EXPECT_LT(on_wall(0.5, 0.0).likelihood, 0.05) << "it stands before the wall";
+  EXPECT_LT(on_wall(0.03, 3.6).likelihood, 0.05) << "it lies in the wall's plane, beside it";
+}
+
 TEST(SceneThings, Between) {
   const auto between = [](double x, double y) {
     const auto scene = test::labelled({{{{0, 0, 0.7}, {0, 0, 1}, {1, 0, 0}, 1.0, 0.6}, "desk"},
