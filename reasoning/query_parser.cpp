@@ -39,6 +39,7 @@ class QueryParser : private ClauseReader {
     } else if (accept_words("how many") || accept("count")) {
       query.kind = Query::Kind::count;
       query.refs.push_back(ref(0));
+      query.refs.back().definite = false;  // "count the chairs": all of them
       accept_words("are there");
     } else if (accept_words("is there") || accept_words("are there")) {
       query.kind = Query::Kind::exists;

@@ -130,6 +130,11 @@ TEST(QueryParser, ErrorsNameColumnCaretAndRemedy) {
   has("how many", "a class was expected here");
 }
 
+TEST(QueryParser, CountsMeanAll) {
+  EXPECT_FALSE(parse_query("count the chairs", office()).refs.front().definite);
+  EXPECT_TRUE(parse_query("find the chair", office()).refs.front().definite);
+}
+
 TEST(QueryParser, DeepQuestionsEndInAnError) {
   std::string chain = "chair", that = "chair", brackets = "chair ";
   for (int i = 0; i < 20000; ++i) {
