@@ -45,8 +45,20 @@ double height_sigma(const Item& a, const Item& b, const Surrounding& around) {
   return std::sqrt(sqr(a.z_sigma) + sqr(b.z_sigma) + sqr(around.up_sigma * distance));
 }
 
+/// Share of a's footprint that lies over b's, thickened by 5 cm.
+double share_over(const Item& a, const Item& b) {
+  Footprint wider = b.footprint;
+  wider.u *= 1.0 + 0.05 / std::max(wider.u.norm(), 0.05);
+  wider.v *= 1.0 + 0.05 / std::max(wider.v.norm(), 0.05);
+  const double area = a.footprint.area();
+  return area > 0.0 ? footprint_overlap(a.footprint, wider) * std::min(area, wider.area()) / area
+                    : 0.0;
+}
+
+/// A wall is over the desk that stands at it by a corner only: what counts is how much of the upper
+/// one lies over the lower one, as in the exact relations of a scene.
 double overlap_likelihood(const Item& a, const Item& b) {
-  const double overlap = footprint_overlap(a.footprint, b.footprint);
+  const double overlap = share_over(a, b);
   return overlap > 0.0 ? lower_likelihood(overlap, 0.3, 0.1)
                        : 0.0;  // nothing in common is certain, not three deviations
 }
@@ -72,11 +84,7 @@ Evidence on(const Item& a, const Item& b, const Surrounding& around) {
 }
 
 Evidence inside(const Item& a, const Item& b) {
-  Footprint wider = b.footprint;
-  wider.u *= 1.0 + 0.05 / std::max(wider.u.norm(), 0.05);
-  wider.v *= 1.0 + 0.05 / std::max(wider.v.norm(), 0.05);
-  const double area = a.footprint.area();
-  const double common = footprint_overlap(a.footprint, wider) * std::min(area, wider.area()) / area;
+  const double common = share_over(a, b);
   const double low = std::max(a.z_low, b.z_low - 0.05);
   const double high = std::min(a.z_high, b.z_high + 0.05);
   const double length = a.z_high - a.z_low;

@@ -74,7 +74,7 @@ class desk:
     elevation 0.6..0.9 m above a floor
 class desk side part of desk:
     vertical
-    below and near a desk
+    lower than and near a desk
     top 0.5..0.8 m above a floor
 class cabinet:
     several faces
