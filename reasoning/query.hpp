@@ -86,6 +86,8 @@ struct RankWord {
   RankKey opposite;
 };
 const std::vector<RankWord>& rank_vocabulary();
+/// Of these words and others for the same: "closest", "biggest", "top".
+std::optional<RankKey> rank_of(std::string_view word);
 /// "first", "second", ... "tenth": 1 to 10; 0: none of them. Also "1st", "2nd", ...
 int ordinal_value(std::string_view word);
 std::string ordinal_word(int value);

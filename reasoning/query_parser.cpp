@@ -125,17 +125,8 @@ class QueryParser : private ClauseReader {
       ordered = last_ = true;
     }
     if (name_length() > 0) return ordered;
-    for (const auto& word : rank_vocabulary()) {
-      if (accept(word.word)) result.rank = word.key;
-    }
-    const std::pair<std::string_view, RankKey> others[] = {
-        {"closest", RankKey::nearest},  {"biggest", RankKey::largest},
-        {"top", RankKey::highest},      {"topmost", RankKey::highest},
-        {"bottom", RankKey::lowest},    {"tallest", RankKey::highest},
-        {"furthest", RankKey::farthest}};
-    for (const auto& [word, key] : others) {
-      if (!result.rank && accept(word)) result.rank = key;
-    }
+    if (peek().kind == Token::Kind::word) result.rank = rank_of(peek().text);
+    if (result.rank) take();
     turn_if_last(result);
     return ordered;
   }

@@ -84,6 +84,20 @@ const std::vector<RankWord>& rank_vocabulary() {
   return words;
 }
 
+std::optional<RankKey> rank_of(std::string_view word) {
+  for (const auto& known : rank_vocabulary()) {
+    if (word == known.word) return known.key;
+  }
+  constexpr std::pair<std::string_view, RankKey> others[] = {
+      {"closest", RankKey::nearest},  {"biggest", RankKey::largest}, {"top", RankKey::highest},
+      {"topmost", RankKey::highest},  {"bottom", RankKey::lowest},   {"tallest", RankKey::highest},
+      {"furthest", RankKey::farthest}};
+  for (const auto& [other, key] : others) {
+    if (word == other) return key;
+  }
+  return std::nullopt;
+}
+
 int ordinal_value(std::string_view word) {
   for (std::size_t i = 0; i < ordinals.size(); ++i) {
     if (word == ordinals[i]) return static_cast<int>(i) + 1;

@@ -18,6 +18,13 @@ TEST(QueryWords, Ordinals) {
   for (int i = 1; i < 130; ++i) EXPECT_EQ(ordinal_value(ordinal_word(i)), i);
 }
 
+TEST(QueryWords, OrdersHaveOtherWords) {
+  EXPECT_EQ(rank_of("narrowest"), RankKey::narrowest);
+  EXPECT_EQ(rank_of("biggest"), RankKey::largest);
+  EXPECT_EQ(rank_of("bottom"), RankKey::lowest);
+  EXPECT_FALSE(rank_of("desk"));
+}
+
 TEST(QueryWords, EveryOrderHasItsOpposite) {
   for (const auto& word : rank_vocabulary()) {
     for (const auto& other : rank_vocabulary()) {
