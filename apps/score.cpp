@@ -193,6 +193,12 @@ int run(Arguments& arguments) {
     }
   }
   if (!arguments.out.empty()) say(common, "scores: " + arguments.out);
+  for (const auto& one : scored) {
+    if (static_cast<std::int64_t>(one.score.failed.size()) == one.score.scans)
+      throw Error(ExitCode::nothing_measured,
+                  fmt::format("{}: not one of {} scans got an answer; the first: {}", one.name,
+                              one.score.scans, one.score.failed.front()));
+  }
   return 0;
 }
 

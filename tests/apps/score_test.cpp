@@ -209,5 +209,14 @@ TEST(ScoreCommand, OneKindOfTruthAndOneKindOfAnswer) {
   }
 }
 
+TEST(ScoreCommand, AProgramThatAnswersNothingIsNoScore) {
+  const auto ran = run_scanchor(
+      "score --suite quick --scenes 1 --pipeline 'false {scan} {out}' --set lidar.lines=40 "
+      "--set lidar.beams_per_line=100");
+  EXPECT_EQ(ran.code, 4) << ran.error;
+  EXPECT_EQ(lines_of(ran.error), 1) << ran.error;
+  EXPECT_NE(ran.error.find("not one of 1 scans got an answer"), std::string::npos) << ran.error;
+}
+
 }  // namespace
 }  // namespace scanchor
