@@ -163,6 +163,9 @@ class Parser : private ClauseReader {
       }
     }
     if (group_ahead()) {
+      if (clause.usually)
+        fail(first, "'usually' cannot stand before the members of a group",
+             "a group is what its class is made of; say it without 'usually'");
       group_clause(clause);
       return clause;
     }

@@ -148,6 +148,7 @@ TEST(SdlParser, ErrorsBehindThatIs) {
       "'horizontal'?");
   has("on an a that is near a c", "unknown class 'c'");
   has("on an a that is usually lowest", "'usually' cannot stand behind 'that is'");
+  has("usually at least 2 a, each pair", "'usually' cannot stand before the members of a group");
   has("on an a (that is lowest", "the bracket is not closed");
   has("on an a (lowest)", "a bracket behind a class goes on with 'that is ...'");
   EXPECT_NE(error_of("class a:\n    on a b that is near a c\nclass b:\n    lowest\nclass c:\n   "
