@@ -339,6 +339,7 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
     if (taken[first] != 0) continue;
     std::vector<std::size_t> thing = {first};
     taken[first] = 1;
+    const auto& clauses = matcher.clauses(find(entities[first].label));
     for (std::size_t k = 0; k < thing.size(); ++k) {
       for (const auto other : faces) {
         if (taken[other] != 0 || entities[other].label != entities[first].label) continue;
@@ -348,7 +349,6 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
         const bool in_plane = relate({Relation::coplanar, {}}, a, b, {}).likelihood >= 0.5;
         const bool bent = relate({Relation::orthogonal, {}}, a, b, {}).likelihood >= 0.5;
         const bool touch = relate({Relation::touching, {}}, a, b, {}).likelihood >= 0.5;
-        const auto& clauses = matcher.clauses(find(entities[first].label));
         if (!(touch && bent) && !(in_plane && is_one(clauses, items, thing, items[other], touch)))
           continue;
         taken[other] = 1;

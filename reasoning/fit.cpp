@@ -102,7 +102,8 @@ class Truth {
   }
 };
 
-/// Where the clauses of the classes stand among the weights. Those of a parent are its own: what is
+/// Where the clauses of the classes stand among the weights, which are in the order of the rates:
+/// class by class, own clauses only. Those of a parent are its own: what is
 /// counted for it holds for its kinds.
 class Parameters {
  public:
@@ -112,23 +113,15 @@ class Parameters {
       count_ += static_cast<std::int32_t>(description.clauses.size());
     }
     for (std::size_t c = 0; c < ontology.classes.size(); ++c) {
-      std::vector<std::size_t> line;
-      for (int k = static_cast<int>(c); k >= 0 && line.size() <= ontology.classes.size();) {
-        line.push_back(static_cast<std::size_t>(k));
-        const auto& parent = ontology.classes[static_cast<std::size_t>(k)].parent;
-        k = parent.empty() ? -1 : ontology.find(parent);
-      }
       auto& own = of_class_.emplace_back();  // in the order of all_clauses
-      for (auto k = line.rbegin(); k != line.rend(); ++k) {
-        for (std::size_t i = 0; i < ontology.classes[*k].clauses.size(); ++i)
-          own.push_back(of(*k, i));
+      for (const int k : with_parents(ontology, static_cast<int>(c))) {
+        const auto owner = static_cast<std::size_t>(k);
+        for (std::size_t i = 0; i < ontology.classes[owner].clauses.size(); ++i)
+          own.push_back(first_[owner] + static_cast<std::int32_t>(i));
       }
     }
   }
   [[nodiscard]] std::int32_t count() const { return count_; }
-  [[nodiscard]] std::int32_t of(std::size_t c, std::size_t clause) const {
-    return first_[c] + static_cast<std::int32_t>(clause);
-  }
   [[nodiscard]] const std::vector<std::int32_t>& of_class(std::size_t c) const {
     return of_class_[c];
   }
@@ -147,10 +140,13 @@ struct Counts {
   double unknown = 0.0;
 };
 
-void count_item(const Ontology& ontology, const Matcher& matcher, const Item& item, int is,
-                Counts& counts) {
+void count_item(int is, Counts& counts) {
   counts.total += 1.0;
   (is >= 0 ? counts.members[static_cast<std::size_t>(is)] : counts.unknown) += 1.0;
+}
+
+void count_clauses(const Ontology& ontology, const Matcher& matcher, const Item& item, int is,
+                   Counts& counts) {
   for (std::size_t c = 0; c < ontology.classes.size(); ++c) {
     const int index = static_cast<int>(c);
     if (matcher.is_group_class(index) != item.group) continue;
@@ -238,8 +234,12 @@ Background fit_backgrounds(const Ontology& ontology, const std::vector<TrainingS
       const Truth truth(current, matcher, scene);
       for (const auto& item : matcher.items()) {
         const int is = truth.of_item[static_cast<std::size_t>(item.id)];
-        count_item(current, matcher, item, is, counts);
-        if (weighing) examples.push_back(weigh(current, parameters, matcher, item, is));
+        count_item(is, counts);
+        if (weighing) {
+          examples.push_back(weigh(current, parameters, matcher, item, is));
+        } else {
+          count_clauses(current, matcher, item, is, counts);
+        }
       }
     }
     Background counted = rates_of(current, counts);
@@ -257,13 +257,10 @@ Background fit_backgrounds(const Ontology& ontology, const std::vector<TrainingS
       double sum = 1.0;
       for (const double o : fitted.offset) sum += std::exp(o);
       background.unknown_prior = 1.0 / sum;
-      std::size_t rate = 0;
-      for (std::size_t c = 0; c < classes; ++c) {
+      for (std::size_t c = 0; c < classes; ++c)
         background.priors[c].second = std::max(std::exp(fitted.offset[c]) / sum, 1e-9);
-        for (std::size_t i = 0; i < ontology.classes[c].clauses.size(); ++i)
-          background.rates[rate++].weight =
-              fitted.weight[static_cast<std::size_t>(parameters.of(c, i))];
-      }
+      for (std::size_t i = 0; i < background.rates.size(); ++i)
+        background.rates[i].weight = fitted.weight[i];
     }
     apply_background(current, background);
   }

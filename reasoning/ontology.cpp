@@ -185,16 +185,21 @@ Ontology find_ontology(const std::string& name_or_path) {
   return read_ontology(path);
 }
 
-std::vector<Clause> all_clauses(const Ontology& ontology, int class_index) {
-  std::vector<Clause> clauses;
+std::vector<int> with_parents(const Ontology& ontology, int class_index) {
   std::vector<int> line;
   for (int c = class_index; c >= 0 && line.size() <= ontology.classes.size();) {
     line.push_back(c);
     const auto& parent = ontology.classes[c].parent;
     c = parent.empty() ? -1 : ontology.find(parent);
   }
-  for (auto c = line.rbegin(); c != line.rend(); ++c) {
-    const auto& own = ontology.classes[*c].clauses;
+  std::reverse(line.begin(), line.end());
+  return line;
+}
+
+std::vector<Clause> all_clauses(const Ontology& ontology, int class_index) {
+  std::vector<Clause> clauses;
+  for (const int c : with_parents(ontology, class_index)) {
+    const auto& own = ontology.classes[c].clauses;
     clauses.insert(clauses.end(), own.begin(), own.end());
   }
   return clauses;

@@ -171,6 +171,9 @@ Ontology find_ontology(const std::string& name_or_path);
 /// screen needs desk".
 std::vector<int> evaluation_order(const Ontology& ontology);
 
+/// The class and the classes it is a kind of, the most general one first.
+std::vector<int> with_parents(const Ontology& ontology, int class_index);
+
 /// Clauses of a class with those of its parents in front.
 std::vector<Clause> all_clauses(const Ontology& ontology, int class_index);
 

@@ -15,6 +15,13 @@ namespace {
 constexpr double most_unseen_stand = 0.45;  // [m] stands of screens hold them up to 0.4 m high
 constexpr double hangs_before = 0.12;       // [m] what hangs on a wall
 
+/// Does a hang flat before or in the plane of b?
+Evidence lies_before(const Item& a, const Item& b, const Surrounding& around) {
+  RelationTerm flat{Relation::coplanar, {}};
+  flat.range.high = hangs_before;
+  return relate(flat, a, b, around);
+}
+
 /// The point of a footprint that is nearest to p.
 Eigen::Vector2d nearest_point(const Footprint& foot, const Eigen::Vector2d& p) {
   const double uu = foot.u.squaredNorm();
@@ -141,9 +148,7 @@ double SceneThings::fixed_to_something(std::int32_t id) const {
   for (const auto& b : items_) {
     if (b.group || b.id == id || b.area.value < 4.0 * a.area.value) continue;
     if (a.box.exteriorDistance(b.box) > 0.15) continue;
-    RelationTerm flat{Relation::coplanar, {}};
-    flat.range.high = hangs_before;
-    most = std::max(most, scanchor::relate(flat, a, b, around_).likelihood);
+    most = std::max(most, lies_before(a, b, around_).likelihood);
   }
   return most;
 }
@@ -158,9 +163,7 @@ Evidence SceneThings::hangs_on(std::int32_t a, std::int32_t b) const {
         std::abs(behind.along.dot(d)) > behind.half_length ||
         std::abs(behind.across.dot(d)) > behind.half_width)
       continue;
-    RelationTerm flat{Relation::coplanar, {}};
-    flat.range.high = hangs_before;
-    Evidence on = scanchor::relate(flat, hanging, behind, around_);
+    Evidence on = lies_before(hanging, behind, around_);
     on.likelihood *= vertical(behind, around_, 10.0).likelihood;
     if (on.likelihood > best.likelihood) best = on;
   }

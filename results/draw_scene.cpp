@@ -68,17 +68,23 @@ bool is_turned_away(const std::vector<Sheet>& sheets, const Eigen::Vector3d& eye
   return away > 2.0 * towards;
 }
 
-/// Faces of walls and ceilings that turn their back to the eye, without narrow ones: nothing hangs
-/// on the reveal of a window.
-std::vector<Sheet> hidden_sheets(const Scene& scene, const Eigen::Vector3d& eye) {
-  std::vector<Sheet> hidden;
+/// What of walls and ceilings stands between the room and the eye.
+struct Hidden {
+  std::set<const Instance*> whole;  ///< turned away
+  /// Faces that turn their back, without narrow ones: nothing hangs on the reveal of a window.
+  std::vector<Sheet> sheets;
+};
+
+Hidden hidden_from(const Scene& scene, const Eigen::Vector3d& eye) {
+  Hidden hidden;
   for (const Instance& instance : scene.instances) {
     if (!is_shell(instance)) continue;
     const std::vector<Sheet> sheets = sheets_of(instance);
+    if (is_turned_away(sheets, eye)) hidden.whole.insert(&instance);
     double all = 0.0;
     for (const Sheet& sheet : sheets) all += sheet.area;
     for (const Sheet& sheet : sheets) {
-      if (sheet.normal.dot(eye) < 0.0 && sheet.area > 0.2 * all) hidden.push_back(sheet);
+      if (sheet.normal.dot(eye) < 0.0 && sheet.area > 0.2 * all) hidden.sheets.push_back(sheet);
     }
   }
   return hidden;
@@ -165,19 +171,19 @@ Eigen::Vector3d towards_eye(double azimuth_deg, double elevation_deg) {
 Drawing draw_scene(const Scene& scene, const DrawSceneOptions& options) {
   Drawing drawing;
   const bool open = options.towards_eye.squaredNorm() > 0.0;
-  const std::vector<Sheet> sheets =
-      open ? hidden_sheets(scene, options.towards_eye) : std::vector<Sheet>();
+  const Hidden hidden = open ? hidden_from(scene, options.towards_eye) : Hidden{};
   DrawnMesh mesh;
   DrawnLines edges;
   edges.color = {33, 37, 41, 120};
   edges.width_px = 1.0;
   std::map<ClassId, double> area_of_class;
   for (const Instance& instance : scene.instances) {
-    if (open && (is_roof(instance, options.towards_eye) || hangs_on_hidden(instance, sheets))) {
+    if (open &&
+        (is_roof(instance, options.towards_eye) || hangs_on_hidden(instance, hidden.sheets))) {
       continue;
     }
     const bool shell = is_shell(instance);
-    if (open && shell && is_turned_away(sheets_of(instance), options.towards_eye)) continue;
+    if (hidden.whole.contains(&instance)) continue;
     Eigen::AlignedBox3d box;
     for (const Part& part : instance.parts) {
       const Eigen::Isometry3d pose = instance.T_world_instance * part.T_instance_part;
