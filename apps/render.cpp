@@ -6,6 +6,7 @@
 
 #include "apps/scan_input.hpp"
 #include "cloud/io.hpp"
+#include "reasoning/item.hpp"
 #include "results/image.hpp"
 #include "results/pictures.hpp"
 #include "scenes/scene.hpp"
@@ -57,10 +58,7 @@ Color color_of(const std::vector<std::pair<std::string, Color>>& colors, const s
 
 /// Up as the reasoner had it becomes z.
 Eigen::Isometry3d upright(const Labelling& labelling) {
-  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  T.linear() =
-      Eigen::Quaterniond::FromTwoVectors(labelling.up, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  return T;
+  return Eigen::Isometry3d(levelling(labelling.up));
 }
 
 /// labels.json with the surfaces beside it.

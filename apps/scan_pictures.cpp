@@ -1,5 +1,6 @@
 #include "apps/scan_pictures.hpp"
 
+#include "reasoning/item.hpp"
 #include "results/image.hpp"
 #include "results/pictures.hpp"
 
@@ -9,10 +10,7 @@ namespace {
 
 /// Turns a cloud so that the up direction that reasoning found points up in the picture.
 Eigen::Isometry3d upright(const Labelling& labelling) {
-  Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
-  turn.linear() =
-      Eigen::Quaterniond::FromTwoVectors(labelling.up, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  return turn;
+  return Eigen::Isometry3d(levelling(labelling.up));
 }
 
 PictureOptions titled(const std::string& title) {
