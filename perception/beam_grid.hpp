@@ -16,9 +16,19 @@ namespace scanchor {
 /// in tiles of 8 x 8, and only those that hold a point; all others are one empty tile, the first.
 class BeamGrid {
  public:
+  static constexpr std::uint32_t cells_per_tile = 64;  ///< consecutive ones; the last is whole too
+
   BeamGrid(const CanonicalCloud& cloud, const Eigen::Vector3d& sensor);
   [[nodiscard]] std::size_t cell_count() const { return start_.size() - 1; }
   [[nodiscard]] std::uint32_t cell_of_point(std::size_t i) const { return cell_of_point_[i]; }
+  /// The cell in a direction from the sensor; one without points where nothing was met.
+  [[nodiscard]] std::uint32_t cell_towards(const Eigen::Vector3f& direction) const {
+    return cell_at(spot(direction, side_));
+  }
+  /// Does the cell lie at the edge of its tile?
+  [[nodiscard]] static bool is_on_rim(std::uint32_t cell) {
+    return ((cell + 1U) & 6U) == 0 || (((cell >> 3) + 1U) & 6U) == 0;  // 0 or 7
+  }
   /// Points of a cell, rising.
   [[nodiscard]] std::span<const std::uint32_t> points(std::uint32_t cell) const {
     return {order_.data() + start_[cell], order_.data() + start_[cell + 1]};

@@ -101,9 +101,52 @@ class CellSearch {
     return found;
   }
 
+  // Was the plane hidden on most straight ways from one piece to the next of the other? A path can
+  // go round by a thin thing that touches both, such as the board that two boxes stand on.
+  [[nodiscard]] bool mostly_hidden(std::span<const std::uint32_t> from,
+                                   std::span<const std::uint32_t> to, const PlaneLabels& labels,
+                                   const Eigen::Vector3f& sensor) {
+    constexpr std::size_t most_ways = 24, most_ends = 192;
+    const std::size_t ways = std::min(from.size(), most_ways),
+                      ends = std::min(to.size(), most_ends);
+    const auto of_either = [&](std::uint32_t p) {
+      return labels.of_point[p] == labels.of_point[from[0]] ||
+             labels.of_point[p] == labels.of_point[to[0]];
+    };
+    std::size_t hidden = 0;
+    for (std::size_t i = 0; i < ways; ++i) {
+      const Eigen::Vector3f start = cloud_.point(from[(2 * i + 1) * from.size() / (2 * ways)]);
+      Eigen::Vector3f way = Eigen::Vector3f::Constant(1e18F);
+      for (std::size_t j = 0; j < ends; ++j) {
+        const Eigen::Vector3f there =
+            cloud_.point(to[(2 * j + 1) * to.size() / (2 * ends)]) - start;
+        if (there.squaredNorm() < way.squaredNorm()) way = there;
+      }
+      hidden += is_hidden(start - sensor, way, of_either) ? 1 : 0;
+    }
+    return 2 * hidden >= ways;
+  }
+
   std::vector<std::int32_t> piece;  // by cell; `none` between searches
 
  private:
+  // Did no beam pass the plane on this way from a place of it, but for cells with points that count
+  // as the plane's own?
+  template <class Own>
+  bool is_hidden(const Eigen::Vector3f& start, const Eigen::Vector3f& way, const Own& own) {
+    constexpr int steps = 64;
+    std::uint32_t last = 0;
+    for (int k = 1; k < steps; ++k) {
+      const auto cell = grid_.cell_towards(start + way * (static_cast<float>(k) / steps));
+      if (cell == last) continue;
+      last = cell;
+      const auto points = grid_.points(cell);
+      if (sight(cell) == Sight::passed && std::none_of(points.begin(), points.end(), own))
+        return false;
+    }
+    return true;
+  }
+
   Sight sight(std::uint32_t cell) {
     if (sight_[cell] >> 2 == asking_) return static_cast<Sight>(sight_[cell] & 3U);
     Sight what = Sight::empty;
@@ -276,6 +319,8 @@ void join(const CanonicalCloud& cloud, const BeamGrid& grid, const BeamNoise& no
         const auto b = order[j];
         if (gone[b] || !lie_in_one_plane(planes[a], planes[b], noise)) continue;
         if (!search.hidden_path(cells_of(grid, members[b]), static_cast<std::int32_t>(a))) continue;
+        if (!search.mostly_hidden(members[b], members[a], labels, noise.sensor.cast<float>()))
+          continue;
         Moments both = planes[a].moments;
         both.add(planes[b].moments);
         planes[a] = grown_plane(both, noise);

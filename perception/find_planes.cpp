@@ -15,6 +15,7 @@
 #include "perception/plane_fit.hpp"
 #include "perception/set_aside.hpp"
 #include "perception/sheet_planes.hpp"
+#include "perception/smooth_planes.hpp"
 #include "perception/thin_planes.hpp"
 
 namespace scanchor {
@@ -186,6 +187,7 @@ Surfaces find_planes(const PointCloud& cloud, const PerceiveOptions& options) {
   });
   drop_chance_planes(input.cloud, tree, labels);
   split_sheets(input.cloud, labels, noise);
+  if (grid) smooth_planes(input.cloud, *grid, labels, noise);
   if (grid) connect_planes(input.cloud, *grid, noise, fewest_points, labels);
   if (bent) join_bent_planes(input.cloud, tree, input.sigma, labels);
   collect_surfaces(cloud, input, labels.of_point, surfaces);

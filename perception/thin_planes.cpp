@@ -116,6 +116,8 @@ void find_more(Work& work) {
 // what is left of those follows its own points.
 void overgrow(Work& work, const std::vector<Moments>& fixed) {
   constexpr double most_turn = 0.83;  // cosine: a leaf that knows to look elsewhere is not asked
+  // Of a leaf, in squared scatters; without the sensor the scatter across a plane is not known.
+  const float most_loss = work.noise.sensor_known ? 4.0F : 3e38F;
   const auto& pool = work.pool;
   const auto& c = pool.cloud;
   std::vector<std::vector<std::uint32_t>> seeds(work.planes.size());
@@ -134,10 +136,11 @@ void overgrow(Work& work, const std::vector<Moments>& fixed) {
   });
   std::vector<std::uint32_t> rank(order.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) rank[order[i]] = i;
+  const std::vector<PlaneReach> reaches(work.planes.begin(), work.planes.end());
   for (const auto r : order) {
     const GrownPlane& grown = work.planes[r];
     if (grown.moments.n < static_cast<double>(fewest_points)) break;
-    const PlaneReach reach(grown);
+    const PlaneReach& reach = reaches[r];
     auto& queue = seeds[r];
     ++work.asking;
     for (const auto l : queue) work.asked[l] = work.asking;
@@ -149,12 +152,27 @@ void overgrow(Work& work, const std::vector<Moments>& fixed) {
       const bool elsewhere =
           surfel.tilt < unknown_tilt &&
           std::abs(surfel.grown.plane.normal.dot(grown.plane.normal)) < most_turn;
+      // What explains its points here much better keeps them.
+      float loss = 0.0F;
+      const auto takes = [&](std::uint32_t p) {
+        const auto label = work.label[p];
+        return label != static_cast<std::int32_t>(r) &&
+               (label < 0 || rank[static_cast<std::size_t>(label)] > rank[r]) &&
+               reach.holds(c.x[p], c.y[p], c.z[p], c.inverse_range[p]);
+      };
+      for (auto p = cell.begin; p < cell.end && !elsewhere; ++p) {
+        if (work.label[p] < 0 || !takes(p)) continue;
+        const auto squared = [&](const PlaneReach& plane) {
+          const float d =
+              plane.distance(c.x[p], c.y[p], c.z[p]) / plane.scatter(c.inverse_range[p]);
+          return std::min(d * d, 9.0F);
+        };
+        loss += squared(reach) - squared(reaches[static_cast<std::size_t>(work.label[p])]);
+      }
       for (auto p = cell.begin; p < cell.end; ++p) {
         auto& label = work.label[p];
         const bool own = label == static_cast<std::int32_t>(r);
-        if (!own && (elsewhere || (label >= 0 && rank[static_cast<std::size_t>(label)] < rank[r]) ||
-                     !reach.holds(c.x[p], c.y[p], c.z[p], c.inverse_range[p])))
-          continue;
+        if (!own && (elsewhere || !takes(p) || (label >= 0 && loss > most_loss))) continue;
         label = static_cast<std::int32_t>(r);
         any = true;
       }

@@ -36,6 +36,20 @@ TEST(BeamGrid, EveryPointIsInItsCellOnce) {
   EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<long>(cloud.size()));
 }
 
+TEST(BeamGrid, ADirectionLeadsToTheCellOfThePointsThere) {
+  const auto cloud = sphere_of_points(5000);
+  const Eigen::Vector3d sensor(0.1, 0.2, 0.3);
+  const BeamGrid grid(cloud, sensor);
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    EXPECT_EQ(grid.cell_towards(0.5F * (cloud.point(i) - sensor.cast<float>())),
+              grid.cell_of_point(i));
+  std::size_t rim = 0;
+  for (std::uint32_t cell = 0; cell < BeamGrid::cells_per_tile; ++cell)
+    rim += BeamGrid::is_on_rim(cell) ? 1U : 0U;
+  EXPECT_EQ(rim, 28U);
+  EXPECT_EQ(grid.cell_count() % BeamGrid::cells_per_tile, 0U);
+}
+
 // A scanner of few beams a line and many lines: no empty cells between what lies side by side.
 TEST(BeamGrid, BeamsThatLieCloserOneWayAreNeighboursTheOtherWay) {
   for (const double ratio : {1.0, 4.0, 8.0}) {

@@ -18,7 +18,8 @@ struct TwoBoards {
   BeamNoise noise{0.005};
   std::vector<int> truth;  // canonical: 0 left board, 1 right board, 2 wall, 3 post
 
-  explicit TwoBoards(double gap, bool post_before, bool one_label) {
+  // `shelf`: a strip 2 cm high before the lower edges of both, as a board that both stand on.
+  explicit TwoBoards(double gap, bool post_before, bool one_label, bool shelf = false) {
     SequentialRandom random(11);
     std::vector<Eigen::Vector3d> points;
     std::vector<int> kinds;
@@ -34,6 +35,8 @@ struct TwoBoards {
         } else if (std::abs(y) < 0.6) {
           kind = y < 0.0 ? 0 : 1, x = 2.0;
         }
+        if (shelf && e < -10.0) kind = 2, x = 4.0;
+        if (shelf && std::abs(e + 10.0) < 0.4 && std::abs(y) < 0.6) kind = 3, x = 1.95;
         points.push_back(d * (x + 0.005 * random.normal() / d.norm()));
         kinds.push_back(kind);
       }
@@ -86,6 +89,16 @@ TEST(ConnectPlanes, TwoThingsInOnePlaneStayTwo) {
   TwoBoards scene(0.25, false, false);
   connect_planes(scene.cloud, BeamGrid(scene.cloud, scene.noise.sensor), scene.noise, 20,
                  scene.labels);
+  EXPECT_NE(scene.labels_of(0), scene.labels_of(1));
+}
+
+// A path along the board is no reason: most beams between the two met what is behind.
+TEST(ConnectPlanes, ThingsOnOneBoardStayTwo) {
+  TwoBoards scene(0.25, false, false, true);
+  connect_planes(scene.cloud, BeamGrid(scene.cloud, scene.noise.sensor), scene.noise, 20,
+                 scene.labels);
+  EXPECT_EQ(scene.labels_of(0).size(), 1U);
+  EXPECT_EQ(scene.labels_of(1).size(), 1U);
   EXPECT_NE(scene.labels_of(0), scene.labels_of(1));
 }
 
