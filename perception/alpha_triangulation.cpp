@@ -13,16 +13,21 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-constexpr std::uint32_t side = 1U << 16;
-constexpr int side_bits = 16;
+/// The curve's square has 2^bits cells a side, four or more for each point: finer ones would only
+/// cost time.
+int bits_for(std::size_t points) {
+  int bits = 3;
+  while (bits < 16 && (points >> (2 * bits - 2)) > 0) ++bits;
+  return bits;
+}
 
 /// Place of cell (x, y) on the curve; see Warren, Hacker's Delight, section 16-3. The turns of the
 /// curve so far are kept as one swap and one complement of what is still to come.
-std::uint32_t hilbert_place(std::uint32_t x, std::uint32_t y) {
+std::uint32_t hilbert_place(std::uint32_t x, std::uint32_t y, int bits) {
   std::uint32_t place = 0;
   std::uint32_t swapped = 0;
   std::uint32_t complement = 0;
-  for (int s = side_bits - 1; s >= 0; --s) {
+  for (int s = bits - 1; s >= 0; --s) {
     const std::uint32_t x_bit = (x >> s) & 1U;
     const std::uint32_t y_bit = (y >> s) & 1U;
     const std::uint32_t differ = (x_bit ^ y_bit) & swapped;
@@ -40,8 +45,8 @@ struct Key {
   std::uint32_t index;
 };
 
-/// Stable, by place: three rounds of eleven bits where that pays.
-void sort_by_place(std::vector<Key>& keys) {
+/// Stable, by place, whose last `bits` count.
+void sort_by_place(std::vector<Key>& keys, int bits) {
   constexpr std::size_t few = 256;
   const auto before = [](const Key& a, const Key& b) {
     return a.place != b.place ? a.place < b.place : a.index < b.index;
@@ -50,16 +55,15 @@ void sort_by_place(std::vector<Key>& keys) {
     std::sort(keys.begin(), keys.end(), before);
     return;
   }
-  constexpr std::uint32_t digits = 1U << 11;
-  std::array<std::array<std::uint32_t, digits>, 3> begin{};
-  for (const Key& k : keys) {
-    for (std::size_t r = 0; r < 3; ++r) ++begin[r][(k.place >> (11 * r)) % digits];
-  }
+  constexpr int digit_bits = 8;
+  constexpr std::uint32_t digits = 1U << digit_bits;
   std::vector<Key> other(keys.size());
-  for (std::size_t r = 0; r < 3; ++r) {
+  for (int shift = 0; shift < bits; shift += digit_bits) {
+    std::array<std::uint32_t, digits> begin{};
+    for (const Key& k : keys) ++begin[(k.place >> shift) % digits];
     std::uint32_t sum = 0;
-    for (std::uint32_t& b : begin[r]) sum += std::exchange(b, sum);
-    for (const Key& k : keys) other[begin[r][(k.place >> (11 * r)) % digits]++] = k;
+    for (std::uint32_t& b : begin) sum += std::exchange(b, sum);
+    for (const Key& k : keys) other[begin[(k.place >> shift) % digits]++] = k;
     keys.swap(other);
   }
 }
@@ -117,8 +121,9 @@ inline bool in_circle(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const 
 /// carries a triangle whose third corner is `infinite`, so that no edge is without a neighbour.
 class Growing {
  public:
+  /// No two points may be equal.
   explicit Growing(const std::vector<Eigen::Vector2d>& points) : points_(points) {
-    triangles_.reserve(2 * points.size() + 4);
+    faces_.reserve(2 * points.size() + 4);
     Eigen::AlignedBox2d box;
     for (const auto& p : points) box.extend(p);
     const double extent = box.sizes().maxCoeff();
@@ -127,121 +132,131 @@ class Growing {
 
   /// The first triangle: corners counter-clockwise.
   void begin(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    triangles_ = {{{a, b, c}, {1, 2, 3}},
-                  {{infinite, c, b}, {0, 3, 2}},
-                  {{infinite, a, c}, {0, 1, 3}},
-                  {{infinite, b, a}, {0, 2, 1}}};
+    faces_ = {{{a, b, c}, {link(1, 0), link(2, 0), link(3, 0)}},
+              {{infinite, c, b}, {link(0, 0), link(3, 2), link(2, 1)}},
+              {{infinite, a, c}, {link(0, 1), link(1, 2), link(3, 1)}},
+              {{infinite, b, a}, {link(0, 2), link(2, 2), link(1, 1)}}};
   }
 
   void insert(std::uint32_t p) {
-    const std::int32_t home = locate(p);
-    if (home < 0) return;  // equal to a corner
-    const Face old = triangles_[static_cast<std::size_t>(home)];
-    const auto second = static_cast<std::int32_t>(triangles_.size());
-    const std::int32_t third = second + 1;
-    triangles_[static_cast<std::size_t>(home)] = {{p, old.corner[1], old.corner[2]},
-                                                  {old.beyond[0], second, third}};
-    triangles_.push_back({{p, old.corner[2], old.corner[0]}, {old.beyond[1], third, home}});
-    triangles_.push_back({{p, old.corner[0], old.corner[1]}, {old.beyond[2], home, second}});
-    replace(old.beyond[1], home, second);
-    replace(old.beyond[2], home, third);
-    todo_ = {home, second, third};
-    while (!todo_.empty()) {
-      const std::int32_t t = todo_.back();
-      todo_.pop_back();
-      legalize(t);
-    }
+    const std::uint32_t home = locate(p);
+    const Face old = faces_[home];
+    const auto second = static_cast<std::uint32_t>(faces_.size());
+    const std::uint32_t third = second + 1;
+    const auto [a, b, c] = old.corner;
+    faces_[home] = {{p, b, c}, {old.beyond[0], link(second, 2), link(third, 1)}};
+    faces_.push_back({{p, c, a}, {old.beyond[1], link(third, 2), link(home, 1)}});
+    faces_.push_back({{p, a, b}, {old.beyond[2], link(home, 2), link(second, 1)}});
+    point_back(old.beyond[0], link(home, 0));
+    point_back(old.beyond[1], link(second, 0));
+    point_back(old.beyond[2], link(third, 0));
+    legalize(home);
+    legalize(second);
+    legalize(third);
     last_ = home;
   }
 
-  [[nodiscard]] Triangulation finished() const {
+  /// order[i]: what point i is called outside.
+  [[nodiscard]] Triangulation finished(const std::vector<std::uint32_t>& order) const {
     Triangulation result;
-    std::vector<std::int32_t> place(triangles_.size(), -1);
+    std::vector<std::int32_t> place(faces_.size(), -1);
     std::int32_t count = 0;
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      if (!is_infinite(triangles_[t])) place[t] = count++;
+    for (std::size_t t = 0; t < faces_.size(); ++t) {
+      if (!is_infinite(faces_[t])) place[t] = count++;
     }
     result.triangles.reserve(static_cast<std::size_t>(count));
     result.neighbours.reserve(static_cast<std::size_t>(count));
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    for (std::size_t t = 0; t < faces_.size(); ++t) {
       if (place[t] < 0) continue;
-      const Face& f = triangles_[t];
-      result.triangles.push_back(f.corner);
-      result.neighbours.push_back({place[static_cast<std::size_t>(f.beyond[0])],
-                                   place[static_cast<std::size_t>(f.beyond[1])],
-                                   place[static_cast<std::size_t>(f.beyond[2])]});
+      const auto& [corner, beyond] = faces_[t];
+      result.triangles.push_back({order[corner[0]], order[corner[1]], order[corner[2]]});
+      result.neighbours.push_back(
+          {place[beyond[0] >> 2], place[beyond[1] >> 2], place[beyond[2] >> 2]});
     }
     return result;
   }
 
  private:
-  static constexpr std::uint32_t infinite = 0xffffffffU;
+  static constexpr std::uint32_t infinite = 0xffffffffU, none = 0xffffffffU;
   struct Face {
     std::array<std::uint32_t, 3> corner;
-    std::array<std::int32_t, 3> beyond;  ///< the face across the edge opposite to corner k
+    std::array<std::uint32_t, 3> beyond;  ///< link across the edge opposite to corner k
   };
   const std::vector<Eigen::Vector2d>& points_;
-  std::vector<Face> triangles_;
-  std::vector<std::int32_t> todo_;
-  std::int32_t last_ = 0;
+  std::vector<Face> faces_;
+  std::vector<std::uint32_t> todo_;
+  std::uint32_t last_ = 0;
   double certain_ = 0.0;  ///< in_circle
 
+  /// A face and which of its edges: no search when one comes over an edge.
+  static constexpr std::uint32_t link(std::uint32_t face, std::uint32_t edge) {
+    return face << 2 | edge;
+  }
+  void point_back(std::uint32_t at, std::uint32_t to) { faces_[at >> 2].beyond[at & 3U] = to; }
   static bool is_infinite(const Face& f) {
     return f.corner[0] == infinite || f.corner[1] == infinite || f.corner[2] == infinite;
   }
-  static std::size_t place_of(const Face& f, std::int32_t neighbour) {
-    return f.beyond[0] == neighbour ? 0 : (f.beyond[1] == neighbour ? 1 : 2);
-  }
-  void replace(std::int32_t at, std::int32_t was, std::int32_t is) {
-    Face& f = triangles_[static_cast<std::size_t>(at)];
-    f.beyond[place_of(f, was)] = is;
-  }
 
-  /// The triangle that holds the point or, outside the hull, one whose edge sees it; -1: a corner.
-  [[nodiscard]] std::int32_t locate(std::uint32_t p) const {
-    const Eigen::Vector2d& x = points_[p];
-    std::int32_t t = last_;
-    if (is_infinite(triangles_[static_cast<std::size_t>(t)])) {
-      const Face& f = triangles_[static_cast<std::size_t>(t)];
-      t = f.beyond[f.corner[0] == infinite ? 0 : (f.corner[1] == infinite ? 1 : 2)];
-    }
-    std::int32_t from = -1;
+  /// The triangle that holds the point or, outside the hull, one whose edge sees it.
+  [[nodiscard]] std::uint32_t locate(std::uint32_t p) const {
+    static constexpr std::uint32_t after[] = {1, 2, 0};
+    const Eigen::Vector2d x = points_[p];
+    std::uint32_t t = last_;
+    const Face& start = faces_[t];
+    if (is_infinite(start))
+      t = start.beyond[start.corner[0] == infinite ? 0 : (start.corner[1] == infinite ? 1 : 2)] >>
+          2;
+    std::uint32_t edge = 2;  // looked at last: the one that the way came over
+    bool first = true;
     while (true) {
-      const Face& f = triangles_[static_cast<std::size_t>(t)];
+      const Face& f = faces_[t];
       if (is_infinite(f)) return t;
-      std::int32_t next = -1;
-      for (std::size_t k = 0; k < 3 && next < 0; ++k) {
-        if (f.beyond[k] == from) continue;
-        if (turn(points_[f.corner[(k + 1) % 3]], points_[f.corner[(k + 2) % 3]], x) < 0)
-          next = f.beyond[k];
-      }
-      if (next < 0) {
-        const auto equal = [&](std::uint32_t c) { return points_[c] == x; };
-        return std::any_of(f.corner.begin(), f.corner.end(), equal) ? -1 : t;
-      }
-      from = t;
-      t = next;
+      const std::uint32_t k = after[edge], l = after[k];
+      const Eigen::Vector2d& a = points_[f.corner[k]];
+      const Eigen::Vector2d& b = points_[f.corner[l]];
+      const Eigen::Vector2d& c = points_[f.corner[edge]];
+      std::uint32_t next = none;
+      if (turn(b, c, x) < 0)
+        next = f.beyond[k];
+      else if (turn(c, a, x) < 0)
+        next = f.beyond[l];
+      else if (first && turn(a, b, x) < 0)
+        next = f.beyond[edge];
+      if (next == none) return t;
+      first = false;
+      t = next >> 2;
+      edge = next & 3U;
     }
   }
 
-  /// Corner 0 of face t is the new point; flips the edge opposite to it where it must not stay.
-  void legalize(std::int32_t t) {
-    Face& f = triangles_[static_cast<std::size_t>(t)];
-    const std::int32_t u = f.beyond[0];
-    Face& g = triangles_[static_cast<std::size_t>(u)];
-    const std::size_t k = place_of(g, t);
-    const std::uint32_t p = f.corner[0], a = f.corner[1], b = f.corner[2], d = g.corner[k];
-    if (!must_flip(p, a, b, d)) return;
-    // Faces (p, a, b) and (d, b, a) become (p, a, d) and (p, d, b).
-    const std::int32_t beyond_a = f.beyond[2], beyond_b = f.beyond[1];
-    const std::int32_t ad = g.beyond[(k + 1) % 3];  // opposite to b: the edge a d
-    const std::int32_t db = g.beyond[(k + 2) % 3];
-    f = {{p, a, d}, {ad, u, beyond_a}};
-    g = {{p, d, b}, {db, beyond_b, t}};
-    replace(ad, u, t);
-    replace(beyond_b, t, u);
-    todo_.push_back(t);
-    todo_.push_back(u);
+  /// Corner 0 of face t is the new point; flips the edge opposite to it where it must not stay, and
+  /// what that uncovers.
+  void legalize(std::uint32_t t) {
+    todo_.clear();
+    while (true) {
+      Face& f = faces_[t];
+      const std::uint32_t across = f.beyond[0], u = across >> 2, k = across & 3U;
+      Face& g = faces_[u];
+      const auto [p, a, b] = f.corner;
+      const std::uint32_t d = g.corner[k];
+      if (!must_flip(p, a, b, d)) {
+        if (todo_.empty()) return;
+        t = todo_.back();
+        todo_.pop_back();
+        continue;
+      }
+      // Faces (p, a, b) and (d, b, a) become (p, a, d) and (p, d, b).
+      static constexpr std::uint32_t after[] = {1, 2, 0, 1, 2};
+      const std::uint32_t ad = g.beyond[after[k]];  // opposite to b: the edge a d
+      const std::uint32_t db = g.beyond[after[k + 1]];
+      const std::uint32_t beyond_b = f.beyond[1];
+      f = {{p, a, d}, {ad, link(u, 2), f.beyond[2]}};
+      g = {{p, d, b}, {db, beyond_b, link(t, 1)}};
+      point_back(ad, link(t, 0));
+      point_back(db, link(u, 0));
+      point_back(beyond_b, link(u, 1));
+      todo_.push_back(u);
+    }
   }
 
   [[nodiscard]] bool must_flip(std::uint32_t p, std::uint32_t a, std::uint32_t b,
@@ -267,14 +282,15 @@ std::vector<std::uint32_t> hilbert_order(const std::vector<Eigen::Vector2d>& poi
     high = high.cwiseMax(p);
   }
   const double extent = std::max((high - low).maxCoeff(), 1e-300);
-  const double scale = (side - 1) / extent;
+  const int bits = bits_for(points.size());
+  const double scale = ((1U << bits) - 1) / extent;
   std::vector<Key> keys(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     keys[i] = {hilbert_place(static_cast<std::uint32_t>((points[i].x() - low.x()) * scale),
-                             static_cast<std::uint32_t>((points[i].y() - low.y()) * scale)),
+                             static_cast<std::uint32_t>((points[i].y() - low.y()) * scale), bits),
                static_cast<std::uint32_t>(i)};
   }
-  sort_by_place(keys);
+  sort_by_place(keys, 2 * bits);
   for (std::size_t first = 0; first < keys.size();) {  // ties
     std::size_t last = first + 1;
     while (last < keys.size() && keys[last].place == keys[first].place) ++last;
@@ -296,26 +312,35 @@ std::vector<std::uint32_t> hilbert_order(const std::vector<Eigen::Vector2d>& poi
 
 Triangulation delaunay(const std::vector<Eigen::Vector2d>& points) {
   if (points.size() < 3) return {};
-  const std::vector<std::uint32_t> order = hilbert_order(points);
+  std::vector<std::uint32_t> order = hilbert_order(points);
+  // Equal points follow each other, the first of them first.
+  order.erase(std::unique(order.begin(), order.end(),
+                          [&](auto i, auto k) { return points[i] == points[k]; }),
+              order.end());
+  std::vector<Eigen::Vector2d> sorted(order.size());  // near in the plane, near in memory
+  for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = points[order[i]];
   // The first three that are no line; what comes before the third lies on a line with the others.
-  const std::uint32_t a = order.front();
-  std::size_t second = 1;
-  while (second < order.size() && points[order[second]] == points[a]) ++second;
-  std::size_t third = second + 1;
+  const auto count = static_cast<std::uint32_t>(sorted.size());
+  std::uint32_t third = 2;
   int way = 0;
-  for (; third < order.size(); ++third) {
-    way = turn(points[a], points[order[second]], points[order[third]]);
+  for (; third < count; ++third) {
+    way = turn(sorted[0], sorted[1], sorted[third]);
     if (way != 0) break;
   }
   if (way == 0) return {};
-  const std::uint32_t b = order[second];
-  const std::uint32_t c = order[third];
-  Growing growing(points);
-  growing.begin(a, way > 0 ? b : c, way > 0 ? c : b);
-  for (std::size_t i = 1; i < order.size(); ++i) {
-    if (i != second && i != third) growing.insert(order[i]);
+  Growing growing(sorted);
+  growing.begin(0, way > 0 ? 1U : third, way > 0 ? third : 1U);
+  // Every fourth first: a new point then has neighbours on all sides, and fewer edges are flipped
+  // that the next points would flip again (Amenta, Choi and Rote, "Incremental constructions con
+  // BRIO", 2003; more rounds gain nothing here).
+  constexpr std::uint32_t coarse = 4;
+  for (std::uint32_t i = coarse; i < count; i += coarse) {
+    if (i != third) growing.insert(i);
   }
-  return growing.finished();
+  for (std::uint32_t i = 2; i < count; ++i) {
+    if (i % coarse != 0 && i != third) growing.insert(i);
+  }
+  return growing.finished(order);
 }
 
 }  // namespace scanchor

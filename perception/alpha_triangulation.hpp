@@ -22,9 +22,9 @@ struct Triangulation {
 /// log n).
 Triangulation delaunay(const std::vector<Eigen::Vector2d>& points);
 
-/// Order of the points along a Hilbert curve of 2^16 x 2^16 cells over their bounding box, ties by
-/// x, then y, then index: neighbours in the order are neighbours in the plane, and a permutation of
-/// the points gives the same sequence of positions.
+/// Order of the points along a Hilbert curve over their bounding box, of more cells than there are
+/// points (2^16 x 2^16 at most), ties by x, then y, then index: neighbours in the order are
+/// neighbours in the plane, and a permutation of the points gives the same sequence of positions.
 std::vector<std::uint32_t> hilbert_order(const std::vector<Eigen::Vector2d>& points);
 
 }  // namespace scanchor
