@@ -27,18 +27,26 @@ struct Work {
   const OutlineSamples& input;
   double gate;
   Triangulation mesh;
-  std::vector<SampleKind> kind;  ///< of each sample, specks corrected
-  std::vector<double> scale;     ///< longest side that a triangle at the sample may have
-  std::vector<char> kept;        ///< triangle stands for something measured and has a corner inside
+  std::vector<Eigen::Vector3d> metric;  ///< of each sample, close together in memory
+  std::vector<SampleKind> kind;         ///< of each sample, specks corrected
+  std::vector<double> scale;  ///< longest side that a triangle at the sample may have; empty: limit
+  double limit = 0.0;         ///< the same for all samples
+  std::vector<char> kept;     ///< triangle stands for something measured and has a corner inside
   double spacing = 0.0;
   std::vector<char> goes_on_behind;  ///< by other surface: this one is seen on both sides of it
 
   [[nodiscard]] bool inside(std::uint32_t s) const { return kind[s] == SampleKind::inside; }
-  [[nodiscard]] double distance(std::uint32_t a, std::uint32_t b) const {
-    return (input.samples[a].metric - input.samples[b].metric).norm();
+  [[nodiscard]] bool thinned(std::uint32_t s) const { return input.samples[s].thinned; }
+  [[nodiscard]] int inside_corners(const Triangle& t) const {
+    return inside(t[0]) + inside(t[1]) + inside(t[2]);
   }
-  [[nodiscard]] double longest_side(const Triangle& t) const {
-    return std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
+  [[nodiscard]] double distance(std::uint32_t a, std::uint32_t b) const {
+    return (metric[a] - metric[b]).norm();
+  }
+  /// Square of the longest side.
+  [[nodiscard]] double longest_square(const Triangle& t) const {
+    const Eigen::Vector3d &a = metric[t[0]], &b = metric[t[1]], &c = metric[t[2]];
+    return std::max({(a - b).squaredNorm(), (b - c).squaredNorm(), (c - a).squaredNorm()});
   }
 };
 
@@ -47,23 +55,16 @@ void correct_specks(Work& work) {
   const auto& samples = work.input.samples;
   work.kind.resize(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) work.kind[i] = samples[i].kind;
-  std::vector<char> seen(samples.size(), 0);
-  std::vector<char> company(samples.size(), 0);  // has a neighbour outside
-  for (const Triangle& t : work.mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      seen[t[k]] = 1;
-      if (samples[t[(k + 1) % 3]].kind != SampleKind::inside ||
-          samples[t[(k + 2) % 3]].kind != SampleKind::inside) {
-        company[t[k]] = 1;
-      }
-    }
-  }
-  // On the hull a ray outside may have neighbours inside only; it is evidence all the same.
+  std::vector<char> seen(samples.size(), 0);     // sample outside
+  std::vector<char> company(samples.size(), 0);  // sample outside with a neighbour outside
   for (std::size_t n = 0; n < work.mesh.triangles.size(); ++n) {
+    const Triangle& t = work.mesh.triangles[n];
+    const int in = work.inside_corners(t);
+    if (in == 3) continue;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (work.mesh.neighbours[n][k] >= 0) continue;
-      company[work.mesh.triangles[n][(k + 1) % 3]] = 1;
-      company[work.mesh.triangles[n][(k + 2) % 3]] = 1;
+      if (!work.inside(t[k])) (in < 2 ? company : seen)[t[k]] = 1;
+      // On the hull a ray outside may have neighbours inside only; it is evidence all the same.
+      if (work.mesh.neighbours[n][k] < 0) company[t[(k + 1) % 3]] = company[t[(k + 2) % 3]] = 1;
     }
   }
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -79,19 +80,20 @@ void measure_scale(Work& work) {
   const auto& samples = work.input.samples;
   std::vector<double> longest;
   for (const Triangle& t : work.mesh.triangles) {
-    bool plain = true;
-    for (const std::uint32_t s : t) plain = plain && work.inside(s) && !samples[s].thinned;
-    if (plain) longest.push_back(work.longest_side(t));
+    if (work.inside_corners(t) == 3 && !work.thinned(t[0]) && !work.thinned(t[1]) &&
+        !work.thinned(t[2]))
+      longest.push_back(work.longest_square(t));
   }
   if (longest.empty()) {
-    for (const Triangle& t : work.mesh.triangles) longest.push_back(work.longest_side(t));
+    for (const Triangle& t : work.mesh.triangles) longest.push_back(work.longest_square(t));
   }
-  work.spacing = median(longest);
+  work.spacing = std::sqrt(median(longest));
   constexpr double bridged =
       2.5;  // one missing sample between two doubles a side; two do not count as neighbours
-  work.scale.assign(samples.size(), bridged * work.spacing);
+  work.limit = bridged * work.spacing;
   if (work.input.with_view) return;
 
+  work.scale.assign(samples.size(), work.limit);
   std::vector<std::uint32_t> begin(samples.size() + 1, 0);
   for (const Triangle& t : work.mesh.triangles) {
     for (const std::uint32_t s : t) begin[s + 1] += 2;
@@ -122,16 +124,17 @@ void measure_scale(Work& work) {
 }
 
 void choose_triangles(Work& work) {
-  const auto& samples = work.input.samples;
   work.kept.resize(work.mesh.triangles.size());
   for (std::size_t n = 0; n < work.mesh.triangles.size(); ++n) {
     const Triangle& t = work.mesh.triangles[n];
-    const int in = work.inside(t[0]) + work.inside(t[1]) + work.inside(t[2]);
+    const int in = work.inside_corners(t);
+    if (in == 0) continue;
     // A thinned sample has all eight cells around it full: its triangles span nothing.
-    const bool deep =
-        in == 3 && (samples[t[0]].thinned || samples[t[1]].thinned || samples[t[2]].thinned);
-    const double limit = std::max({work.scale[t[0]], work.scale[t[1]], work.scale[t[2]]});
-    work.kept[n] = in > 0 && (deep || work.longest_side(t) <= limit);
+    const bool deep = in == 3 && (work.thinned(t[0]) || work.thinned(t[1]) || work.thinned(t[2]));
+    double limit = work.limit;
+    if (!work.scale.empty())
+      limit = std::max({work.scale[t[0]], work.scale[t[1]], work.scale[t[2]]});
+    work.kept[n] = deep || work.longest_square(t) <= limit * limit;
   }
 }
 
@@ -146,7 +149,7 @@ EdgeKind kind_between(const Work& work, std::uint32_t i, std::uint32_t j) {
   // the plane.
   const Eigen::Vector2d foot = work.input.chart.sensor.head<2>();
   const double height = std::abs(work.input.chart.sensor.z());
-  const double range = std::hypot((in.plane - foot).norm(), height);
+  const double range = std::sqrt((in.plane - foot).squaredNorm() + height * height);
   double step = work.distance(i, j) * range * range / std::max(height, 1e-9);
   if (out.reachable) step = std::min(step, (in.plane - out.plane).norm());
   // Contact, not shadow, where the nearer thing meets this surface here: its plane passes through
@@ -173,7 +176,8 @@ OutlineNode middle_node(const Work& work, std::uint32_t i, std::uint32_t j) {
   // At a far, grazing edge the next ray may land metres away or never. Then half of the spacing
   // before it has to do.
   const double height = std::max(std::abs(work.input.chart.sensor.z()), 1e-9);
-  const double range = std::hypot((in.plane - work.input.chart.sensor.head<2>()).norm(), height);
+  const double range =
+      std::sqrt((in.plane - work.input.chart.sensor.head<2>()).squaredNorm() + height * height);
   const double reach = 0.75 * work.distance(i, j) * range * range / height;
   Eigen::Vector2d middle;
   const Eigen::Vector2d chart = 0.5 * (in.chart + out.chart);
@@ -204,10 +208,10 @@ std::vector<BoundarySegment> march(const Work& work, Outline& outline,
   UnionFind pieces(triangles.size());
   for (std::size_t n = 0; n < triangles.size(); ++n) {
     for (std::size_t k = 0; k < 3 && work.kept[n]; ++k) {
-      const bool wet =
-          work.inside(triangles[n][(k + 1) % 3]) || work.inside(triangles[n][(k + 2) % 3]);
-      if (wet && is_kept(neighbours[n][k]))
-        pieces.join(n, static_cast<std::size_t>(neighbours[n][k]));
+      const std::int32_t m = neighbours[n][k];
+      if (m <= static_cast<std::int32_t>(n) || !work.kept[static_cast<std::size_t>(m)]) continue;
+      if (work.inside(triangles[n][(k + 1) % 3]) || work.inside(triangles[n][(k + 2) % 3]))
+        pieces.join(n, static_cast<std::size_t>(m));
     }
   }
   constexpr std::uint32_t none = 0xffffffffU;
@@ -355,9 +359,13 @@ void widen_open_edges(const Work& work, const std::vector<std::int32_t>& node_of
 
 Outline find_outline(const PointCloud& cloud, const Surfaces& surfaces, const Surface& surface,
                      const OutlineSamples& samples, double gate) {
-  Work work{cloud, surfaces, surface, samples, gate, {}, {}, {}, {}, 0.0, {}};
+  Work work{cloud, surfaces, surface, samples, gate, {}, {}, {}, {}, 0.0, {}, 0.0, {}};
   std::vector<Eigen::Vector2d> chart(samples.samples.size());
-  for (std::size_t i = 0; i < chart.size(); ++i) chart[i] = samples.samples[i].chart;
+  work.metric.resize(chart.size());
+  for (std::size_t i = 0; i < chart.size(); ++i) {
+    chart[i] = samples.samples[i].chart;
+    work.metric[i] = samples.samples[i].metric;
+  }
   work.mesh = delaunay(chart);
   Outline outline;
   if (work.mesh.triangles.empty()) return outline;

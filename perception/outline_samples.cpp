@@ -25,6 +25,25 @@ struct CellMarks {
   }
 };
 
+/// The cells whose rays are looked at one by one: those of the surface that are not deep inside,
+/// and then the cells around them.
+std::vector<std::uint32_t> cells_at_edge(const ShapeView& view, std::int32_t surface) {
+  static thread_local CellMarks marks;
+  marks.begin(view.cell_count());
+  std::vector<std::uint32_t> cells;
+  for (const std::uint32_t cell : view.plane_cells(surface)) {
+    marks.mark(cell);
+    if (!view.is_deep(cell)) cells.push_back(cell);
+  }
+  const std::size_t own = cells.size();
+  for (std::size_t k = 0; k < own; ++k) {
+    for (const std::uint32_t n : view.around(cells[k])) {
+      if (marks.mark(n)) cells.push_back(n);
+    }
+  }
+  return cells;
+}
+
 /// Axis for the chart: of a few candidates the one from which the inliers lie nearest, so that the
 /// projection stretches least.
 Eigen::Vector3d chart_axis(const std::vector<Eigen::Vector3d>& directions,
@@ -72,8 +91,7 @@ OutlineSamples samples_without_view(const FlatPoints& flat,
   return result;  // flat points are sorted already
 }
 
-OutlineSamples samples_with_view(const PointCloud& cloud, const ShapeView& view,
-                                 const Surfaces& surfaces, const Surface& surface,
+OutlineSamples samples_with_view(const ShapeView& view, const Surface& surface,
                                  const Eigen::Isometry3d& T_cloud_plane, double gate) {
   OutlineSamples result;
   result.with_view = true;
@@ -84,78 +102,46 @@ OutlineSamples samples_with_view(const PointCloud& cloud, const ShapeView& view,
   const double side =
       chart.sensor.z() >= 0.0 ? 1.0 : -1.0;  // on which side of the plane the sensor stands
 
-  // Cells of the surface; those whose whole surroundings belong to it are deep inside.
-  static thread_local CellMarks marks;
-  marks.begin(view.cell_count());
-  std::vector<std::uint32_t> cells;
-  for (const std::uint32_t i : surface.inliers) {
-    const std::uint32_t cell = view.cell_of_point(i);
-    if (cell < view.cell_count() && marks.mark(cell)) cells.push_back(cell);
-  }
-  std::sort(cells.begin(), cells.end());
-  std::vector<std::uint32_t> searched;  // cells whose points are looked at one by one
-  std::vector<std::uint32_t> deep;
-  for (const std::uint32_t cell : cells) {
-    bool inside = view.owner(cell) == surface.id;
-    const auto around = view.around(cell);
-    for (const std::uint32_t n : around) inside = inside && view.owner(n) == surface.id;
-    if (inside) {
-      deep.push_back(cell);
-      continue;
-    }
-    searched.push_back(cell);
-  }
-  const std::size_t own = searched.size();
-  for (std::size_t k = 0; k < own; ++k) {
-    for (const std::uint32_t n : view.around(searched[k])) {
-      if (marks.mark(n)) searched.push_back(n);
-    }
-  }
-
-  std::vector<std::uint32_t> taken;
-  std::vector<char> thinned;
-  for (const std::uint32_t cell : deep) {
-    taken.push_back(view.points(cell).front());  // the smallest by coordinates
-    thinned.push_back(1);
-  }
-  for (const std::uint32_t cell : searched) {
-    for (const std::uint32_t i : view.points(cell)) {
-      taken.push_back(i);
-      thinned.push_back(0);
-    }
-  }
-
-  std::vector<OutlineSample>& samples = result.samples;
-  samples.reserve(taken.size());
+  std::vector<OutlineSample> outside;
   std::vector<Eigen::Vector3d> inlier_directions;
-  for (std::size_t k = 0; k < taken.size(); ++k) {
-    const std::uint32_t i = taken[k];
-    const Eigen::Vector3d p = R * (cloud.points[i] - T_cloud_plane.translation());
+  const Eigen::Vector3d origin = T_cloud_plane.translation();
+  const auto add = [&](const ShapeRay& ray, bool thinned) {
+    const Eigen::Vector3d p = R * (ray.point - origin);
     const Eigen::Vector3d d = p - chart.sensor;
     OutlineSample s;
-    s.point = i;
-    s.thinned = thinned[k] != 0;
-    s.metric = R * view.direction(i);
+    s.point = ray.index;
+    s.thinned = thinned;
+    s.metric = R * ray.direction;
     s.height = side * p.z();
-    const std::int32_t plane = surfaces.plane_of_point[i];
     const double t = -chart.sensor.z() / d.z();  // 1: the point itself lies in the plane
     s.reachable = t > 0.0 && std::isfinite(t);
     if (s.reachable) s.plane = chart.sensor.head<2>() + t * d.head<2>();
-    if (plane == surface.id) {
-      if (!s.reachable)
-        continue;  // an inlier on the sensor's horizon says nothing about the outline
+    if (ray.plane == surface.id) {
+      if (!s.reachable) return;  // an inlier on the sensor's horizon says nothing about the outline
       s.kind = SampleKind::inside;
       inlier_directions.push_back(s.metric);
-    } else if (std::abs(p.z()) <= gate) {
-      if (plane < 0)
-        continue;  // of this surface as far as anyone can tell, but not claimed: no evidence either
-                   // way
+      result.samples.push_back(s);
+      return;
+    }
+    if (std::abs(p.z()) <= gate) {
+      // Of this surface as far as anyone can tell, but not claimed: no evidence either way.
+      if (ray.plane < 0) return;
       s.kind = SampleKind::beside;
     } else {
       s.kind = side * p.z() < 0.0 ? SampleKind::passed : SampleKind::blocked;
     }
-    samples.push_back(s);
+    outside.push_back(s);
+  };
+  // Deep inside one ray a cell will do, the smallest by coordinates.
+  for (const std::uint32_t cell : view.plane_cells(surface.id)) {
+    if (view.is_deep(cell)) add(view.rays(cell).front(), true);
   }
+  for (const std::uint32_t cell : cells_at_edge(view, surface.id)) {
+    for (const ShapeRay& ray : view.rays(cell)) add(ray, false);
+  }
+  // Of two rays in one direction the one that met the surface speaks.
+  result.samples.insert(result.samples.end(), outside.begin(), outside.end());
+  std::vector<OutlineSample>& samples = result.samples;
   if (inlier_directions.empty()) return result;
 
   const Eigen::Vector3d a = chart_axis(inlier_directions, {0.0, 0.0, -side});
@@ -173,9 +159,6 @@ OutlineSamples samples_with_view(const PointCloud& cloud, const ShapeView& view,
   std::erase_if(samples, [&](const OutlineSample& s) { return a.dot(s.metric) < horizon; });
   for (OutlineSample& s : samples)
     s.chart = Eigen::Vector2d(e1.dot(s.metric), e2.dot(s.metric)) / a.dot(s.metric);
-  // Of two rays in one direction the one that met the surface speaks.
-  std::stable_partition(samples.begin(), samples.end(),
-                        [](const OutlineSample& s) { return s.kind == SampleKind::inside; });
   return result;
 }
 

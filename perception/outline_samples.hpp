@@ -64,8 +64,8 @@ OutlineSamples samples_without_view(const FlatPoints& flat, const Eigen::Isometr
 /// this takes the noise out of the outline), and the rays of others within two cells. Inliers of
 /// cells deep inside are thinned to one a cell. `gate` [m]: points nearer to the plane than this
 /// belong to it as far as noise can tell.
-OutlineSamples samples_with_view(const PointCloud& cloud, const ShapeView& view,
-                                 const Surfaces& surfaces, const Surface& surface,
+/// The surface is plane `surface.id` of the view.
+OutlineSamples samples_with_view(const ShapeView& view, const Surface& surface,
                                  const Eigen::Isometry3d& T_cloud_plane, double gate);
 
 }  // namespace scanchor

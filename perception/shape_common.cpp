@@ -8,35 +8,45 @@
 
 namespace scanchor {
 
-FlatPoints flatten(const PointCloud& cloud, const Surface& surface,
-                   std::span<const std::uint32_t> ordered) {
+FlatPoints flatten(const ShapeView& view, const Surface& surface) {
   const Eigen::Isometry3d T_surface_cloud = surface.T_cloud_surface.inverse();
   const Eigen::Matrix<double, 2, 3> axes = T_surface_cloud.linear().topRows<2>();
   const Eigen::Vector3d origin = surface.T_cloud_surface.translation();
+  const auto rays = view.plane_rays(surface.id);
   FlatPoints flat;
-  flat.points.reserve(ordered.size());
-  for (const std::uint32_t i : ordered) flat.points.emplace_back(axes * (cloud.points[i] - origin));
-  flat.order.assign(ordered.begin(), ordered.end());
+  flat.points.reserve(rays.size());
+  flat.order.reserve(rays.size());
+  for (const std::uint32_t k : rays) {
+    const ShapeRay& ray = view.ray(k);
+    flat.points.emplace_back(axes * (ray.point - origin));
+    flat.order.push_back(ray.index);
+  }
   return flat;
 }
 
 FlatPoints flatten(const PointCloud& cloud, const Surface& surface) {
-  const FlatPoints rows = flatten(cloud, surface, surface.inliers);
-  std::vector<std::uint32_t> order(rows.points.size());
+  const Eigen::Isometry3d T_surface_cloud = surface.T_cloud_surface.inverse();
+  const Eigen::Matrix<double, 2, 3> axes = T_surface_cloud.linear().topRows<2>();
+  const Eigen::Vector3d origin = surface.T_cloud_surface.translation();
+  std::vector<Eigen::Vector2d> rows;
+  rows.reserve(surface.inliers.size());
+  for (const std::uint32_t i : surface.inliers)
+    rows.emplace_back(axes * (cloud.points[i] - origin));
+  std::vector<std::uint32_t> order(rows.size());
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const Eigen::Vector2d& p = rows.points[a];
-    const Eigen::Vector2d& q = rows.points[b];
+    const Eigen::Vector2d& p = rows[a];
+    const Eigen::Vector2d& q = rows[b];
     if (p.x() != q.x()) return p.x() < q.x();
     if (p.y() != q.y()) return p.y() < q.y();
-    return rows.order[a] < rows.order[b];
+    return surface.inliers[a] < surface.inliers[b];
   });
   FlatPoints flat;
   flat.points.reserve(order.size());
   flat.order.reserve(order.size());
   for (const std::uint32_t k : order) {
-    flat.points.push_back(rows.points[k]);
-    flat.order.push_back(rows.order[k]);
+    flat.points.push_back(rows[k]);
+    flat.order.push_back(surface.inliers[k]);
   }
   return flat;
 }

@@ -3,10 +3,10 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "cloud/point_cloud.hpp"
+#include "perception/shape_view.hpp"
 #include "perception/surface.hpp"
 
 namespace scanchor {
@@ -19,9 +19,8 @@ struct FlatPoints {
 };
 /// Sorted by (x, y).
 FlatPoints flatten(const PointCloud& cloud, const Surface& surface);
-/// In the sequence given, which holds every inlier once.
-FlatPoints flatten(const PointCloud& cloud, const Surface& surface,
-                   std::span<const std::uint32_t> ordered);
+/// In the view's sequence; the surface is plane `surface.id` of the view.
+FlatPoints flatten(const ShapeView& view, const Surface& surface);
 
 /// Eccentricity of the ellipse with the second moments of the points: sqrt(1 - l1 / l2), [0, 1).
 double ellipse_eccentricity(const std::vector<Eigen::Vector2d>& points);

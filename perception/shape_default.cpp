@@ -1,120 +1,16 @@
 #include "perception/shape_default.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "perception/outline_polygons.hpp"
 #include "perception/polygon_check.hpp"
-#include "perception/polygon_simplify.hpp"
+#include "perception/rectangle_fit.hpp"
 #include "perception/shape_common.hpp"
 #include "perception/shape_plane.hpp"
 
 namespace scanchor {
 namespace {
-
-constexpr std::size_t smallest_ring =
-    7;  ///< nodes: two samples alone have six neighbouring middles or so, three have more
-
-/// A ring of the outline at four levels of smoothing. Level 0: straightened; 1: simplified; 2: as
-/// measured.
-struct SmoothRing {
-  Ring ring;
-  std::vector<EdgeKind> kinds;
-  std::vector<double> gaps;    ///< [m] of each edge
-  std::vector<double> wavers;  ///< [m] of each edge
-};
-
-SmoothRing smooth(const Outline& outline, const BoundaryRing& raw, int level) {
-  RoughRing rough;
-  const std::size_t n = raw.nodes.size();
-  for (const std::uint32_t node : raw.nodes) {
-    rough.points.push_back(outline.nodes[node].position);
-    rough.tolerance.push_back(outline.nodes[node].half_gap);
-  }
-  // The tolerance of a vertex: what is usual around it, for a lone long triangle says little.
-  std::vector<double> usual(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    std::array<double, 5> near{};
-    for (std::size_t k = 0; k < 5; ++k) near[k] = rough.tolerance[(i + n + k - 2) % n];
-    std::sort(near.begin(), near.end());
-    usual[i] = std::max({near[2], std::min(rough.tolerance[i], 2.0 * near[2]), 1e-6});
-  }
-  rough.tolerance = usual;
-
-  SmoothRing result;
-  if (level >= 2) {
-    result.ring = rough.points;
-    result.kinds = raw.kinds;
-    for (const double t : rough.tolerance) result.gaps.push_back(2.0 * t);
-    result.wavers.assign(n, 0.0);
-    return result;
-  }
-  std::vector<double> gaps = rough.tolerance;
-  // A raw outline wavers by half a gap to either side of the edge, so two vertices of it may lie a
-  // gap apart across it.
-  for (double& t : rough.tolerance) t *= 1.7;
-  const std::vector<std::uint32_t> kept = simplify(rough);
-  if (level == 0) {
-    result.ring = straighten(rough, kept);
-  } else {
-    for (const std::uint32_t i : kept) result.ring.push_back(rough.points[i]);
-  }
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    const std::size_t steps = (kept[(i + 1) % kept.size()] + n - kept[i]) % n;
-    std::array<double, 4> length{};
-    double gap = 0.0;
-    for (std::size_t k = 0; k < steps; ++k) {
-      const std::size_t a = (kept[i] + k) % n;
-      length[static_cast<std::size_t>(raw.kinds[a])] +=
-          (rough.points[(a + 1) % n] - rough.points[a]).norm();
-      gap += gaps[a];
-    }
-    const auto longest = std::max_element(length.begin(), length.end());
-    result.kinds.push_back(static_cast<EdgeKind>(longest - length.begin()));
-    result.gaps.push_back(2.0 * gap / static_cast<double>(steps));
-    const Eigen::Vector2d& from = result.ring[i];
-    const Eigen::Vector2d along = result.ring[(i + 1) % kept.size()] - from;
-    double squares = 0.0;
-    for (std::size_t k = 1; k < steps; ++k) {
-      const Eigen::Vector2d d = rough.points[(kept[i] + k) % n] - from;
-      const double off = along.x() * d.y() - along.y() * d.x();
-      squares += off * off;
-    }
-    result.wavers.push_back(
-        steps > 1 && along.squaredNorm() > 0.0
-            ? std::sqrt(squares / along.squaredNorm() / static_cast<double>(steps - 1))
-            : 0.0);
-  }
-  return result;
-}
-
-/// Share of the outer outline that is no true edge, and the total of both.
-struct OutlineShare {
-  double hidden = 0.0;
-  double total = 0.0;
-  double hidden_holes = 0.0;
-};
-
-OutlineShare hidden_share(const Outline& outline) {
-  OutlineShare share;
-  for (const BoundaryRing& ring : outline.rings) {
-    if (ring.nodes.size() < smallest_ring) continue;
-    for (std::size_t i = 0; i < ring.nodes.size(); ++i) {
-      const double length = (outline.nodes[ring.nodes[(i + 1) % ring.nodes.size()]].position -
-                             outline.nodes[ring.nodes[i]].position)
-                                .norm();
-      const bool hidden =
-          ring.kinds[i] == EdgeKind::occlusion || ring.kinds[i] == EdgeKind::view_limit;
-      if (ring.area > 0.0) {
-        share.total += length;
-        if (hidden) share.hidden += length;
-      } else if (hidden) {
-        share.hidden_holes += length;
-      }
-    }
-  }
-  return share;
-}
 
 bool on_surface(const std::vector<Polygon>& polygons, const Eigen::Vector2d& p) {
   return std::any_of(polygons.begin(), polygons.end(),
@@ -123,16 +19,16 @@ bool on_surface(const std::vector<Polygon>& polygons, const Eigen::Vector2d& p) 
 
 /// What the ray towards a point of the plane met: true if something nearer, so that nobody knows
 /// what is there.
-bool is_hidden(const PointCloud& cloud, const ShapeView& view, const Surface& surface,
-               const Eigen::Vector2d& p, double gate) {
+bool is_hidden(const ShapeView& view, const Surface& surface, const Eigen::Vector2d& p,
+               double gate) {
   const Eigen::Vector3d target = surface.T_cloud_surface * Eigen::Vector3d(p.x(), p.y(), 0.0);
   const Eigen::Vector3d direction = (target - view.sensor()).normalized();
   const std::uint32_t cell = view.cell_of(direction);
   double best = -2.0;
   Eigen::Vector3d hit = Eigen::Vector3d::Zero();
-  for (const std::uint32_t i : view.points(cell)) {
-    const Eigen::Vector3d q = cloud.points[i];
-    const double cosine = direction.dot(view.direction(i));
+  for (const ShapeRay& ray : view.rays(cell)) {
+    const Eigen::Vector3d& q = ray.point;
+    const double cosine = direction.dot(ray.direction);
     if (cosine > best ||
         (cosine == best &&
          std::lexicographical_compare(q.data(), q.data() + 3, hit.data(), hit.data() + 3))) {
@@ -147,8 +43,8 @@ bool is_hidden(const PointCloud& cloud, const ShapeView& view, const Surface& su
 
 /// Whether a small piece is a thing of its own: rays that passed between it and the largest piece
 /// show that nothing joins them. What a shadow parts belongs together.
-bool stands_apart(const PointCloud& cloud, const ShapeView& view, const Surface& surface,
-                  const Polygon& piece, double gate) {
+bool stands_apart(const ShapeView& view, const Surface& surface, const Polygon& piece,
+                  double gate) {
   const Polygon& largest = surface.polygons.front();
   constexpr double small =
       0.1;  // a larger one would be a plane of two things, which is told as such
@@ -166,20 +62,20 @@ bool stands_apart(const PointCloud& cloud, const ShapeView& view, const Surface&
   for (int k = 0; k < steps; ++k) {
     const Eigen::Vector2d p = from + (to - from) * ((k + 0.5) / steps);
     if (on_surface(surface.polygons, p)) continue;
-    ++(is_hidden(cloud, view, surface, p, gate) ? hidden : open);
+    ++(is_hidden(view, surface, p, gate) ? hidden : open);
   }
   return open > hidden;
 }
 
 /// Takes the pieces that stand apart out of what the rectangle is fitted to.
-void leave_out_strays(const PointCloud& cloud, const ShapeView& view, const Surface& surface,
-                      double gate, RectangleEvidence& evidence) {
+void leave_out_strays(const ShapeView& view, const Surface& surface, double gate,
+                      RectangleEvidence& evidence) {
   std::size_t first = 0;
   std::vector<OutlineEdge> kept;
   for (std::size_t k = 0; k < surface.polygons.size(); ++k) {
     const Polygon& piece = surface.polygons[k];
     const std::size_t next = first + piece.outer.size();  // one edge a vertex, piece by piece
-    if (k == 0 || !stands_apart(cloud, view, surface, piece, gate)) {
+    if (k == 0 || !stands_apart(view, surface, piece, gate)) {
       kept.insert(kept.end(), evidence.edges.begin() + static_cast<std::ptrdiff_t>(first),
                   evidence.edges.begin() + static_cast<std::ptrdiff_t>(next));
     } else {
@@ -198,8 +94,7 @@ void leave_out_strays(const PointCloud& cloud, const ShapeView& view, const Surf
 }
 
 /// Share of the rectangle, as far as it could be seen, that is surface.
-double filled_share(const PointCloud& cloud, const ShapeView* view, const Surface& surface,
-                    double gate) {
+double filled_share(const ShapeView* view, const Surface& surface, double gate) {
   const FittedRectangle& r = surface.rectangle;
   const Eigen::Vector2d u(std::cos(r.angle), std::sin(r.angle));
   const Eigen::Vector2d v(-u.y(), u.x());
@@ -213,7 +108,7 @@ double filled_share(const PointCloud& cloud, const ShapeView* view, const Surfac
       if (on_surface(surface.polygons, p)) {
         ++filled;
         ++seen;
-      } else if (view == nullptr || !is_hidden(cloud, *view, surface, p, gate)) {
+      } else if (view == nullptr || !is_hidden(*view, surface, p, gate)) {
         ++seen;
       }
     }
@@ -302,76 +197,21 @@ void shape_degenerate(const FlatPoints& flat, Surface& surface) {
 
 }  // namespace
 
-std::vector<Polygon> outline_polygons(const Outline& outline, std::vector<OutlineEdge>* edges) {
-  struct Piece {
-    Polygon polygon;
-    std::vector<OutlineEdge> edges;
-    double area;
-  };
-  std::vector<Piece> pieces;
-  for (std::size_t r = 0; r < outline.rings.size(); ++r) {
-    const BoundaryRing& outer = outline.rings[r];
-    if (outer.area <= 0.0) continue;
-    if (outer.nodes.size() < smallest_ring && outline.rings.size() > 1) continue;
-    // Smoothing might make rings touch; then less of it.
-    for (int level = 0; level < 3; ++level) {
-      Piece piece;
-      SmoothRing ring = smooth(outline, outer, level);
-      piece.polygon.outer = ring.ring;
-      piece.polygon.outer_kind = ring.kinds;
-      for (std::size_t h = r + 1;
-           h < outline.rings.size() && outline.rings[h].component == outer.component; ++h) {
-        if (outline.rings[h].area >= 0.0 || outline.rings[h].nodes.size() < smallest_ring) continue;
-        SmoothRing hole = smooth(outline, outline.rings[h], level);
-        if (ring_area(hole.ring) < 0.0) piece.polygon.holes.push_back(std::move(hole.ring));
-      }
-      if (!is_valid(piece.polygon)) {
-        // A hole that has grown into the outer ring is a notch too small to tell; without holes the
-        // ring may do.
-        if (level < 2) continue;
-        std::erase_if(piece.polygon.holes, [&](const Ring& hole) {
-          return !is_valid({piece.polygon.outer, {hole}, {}});
-        });
-        if (!is_valid(piece.polygon)) break;
-      }
-      for (std::size_t i = 0; i < ring.ring.size(); ++i) {
-        piece.edges.push_back({ring.ring[i], ring.ring[(i + 1) % ring.ring.size()], ring.kinds[i],
-                               ring.gaps[i], ring.wavers[i]});
-      }
-      piece.area = piece.polygon.area();
-      pieces.push_back(std::move(piece));
-      break;
-    }
-  }
-  std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
-    if (a.area != b.area) return a.area > b.area;
-    const auto& p = a.polygon.outer.front();
-    const auto& q = b.polygon.outer.front();
-    return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y();
-  });
-  std::vector<Polygon> polygons;
-  for (Piece& piece : pieces) {
-    if (edges != nullptr) edges->insert(edges->end(), piece.edges.begin(), piece.edges.end());
-    polygons.push_back(std::move(piece.polygon));
-  }
-  return polygons;
-}
-
 void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surfaces& all,
                    Surface& surface) {
-  const auto ordered =
-      view != nullptr ? view->plane_points(surface.id) : std::span<const std::uint32_t>{};
-  const FlatPoints flat = ordered.size() == surface.inliers.size()
-                              ? flatten(cloud, surface, ordered)
-                              : flatten(cloud, surface);
+  // Inliers at the sensor itself have no ray.
+  const ShapeView* of_all =
+      view != nullptr && view->plane_rays(surface.id).size() == surface.inliers.size() ? view
+                                                                                       : nullptr;
+  const FlatPoints flat = of_all != nullptr ? flatten(*of_all, surface) : flatten(cloud, surface);
   surface.eccentricity = ellipse_eccentricity(flat.points);
   // 3.5 sigma: one point in two thousand of the surface's own lies farther from it.
   const double gate = 3.5 * std::max(all.noise_sigma, surface.plane.residual_sigma) + 1e-6;
   const RayPlane plane =
-      view != nullptr ? fit_along_rays(cloud, surface, view->sensor(), ordered) : RayPlane{};
-  const OutlineSamples samples =
-      view != nullptr ? samples_with_view(cloud, *view, all, surface, plane.T_cloud_plane, gate)
-                      : samples_without_view(flat, surface.T_cloud_surface);
+      view != nullptr ? fit_along_rays(cloud, surface, view->sensor(), of_all) : RayPlane{};
+  const OutlineSamples samples = view != nullptr
+                                     ? samples_with_view(*view, surface, plane.T_cloud_plane, gate)
+                                     : samples_without_view(flat, surface.T_cloud_surface);
   const Outline outline = find_outline(cloud, all, surface, samples, gate);
   RectangleEvidence evidence;
   surface.polygons = outline_polygons(outline, &evidence.edges);
@@ -404,7 +244,7 @@ void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surface
     const double across = 1.0 / std::max(surface.plane.residual_sigma, 1e-9);
     for (const double h : outline.inside_height) evidence.inside_height.push_back(h * across);
     for (const double h : outline.beyond_height) evidence.outside_height.push_back(h * across);
-    leave_out_strays(cloud, *view, surface, gate, evidence);
+    leave_out_strays(*view, surface, gate, evidence);
   }
 
   const OutlineShare share = hidden_share(outline);
@@ -420,7 +260,7 @@ void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surface
   }
   surface.area = polygon_area(surface.polygons, evidence.edges);
   surface.area.at_least = share.hidden + share.hidden_holes > 0.05 * share.total;
-  surface.rectangularness = filled_share(cloud, view, surface, gate);
+  surface.rectangularness = filled_share(view, surface, gate);
   // Four sides that meet at right angles by construction: a rectangle if the surface fills what
   // could be seen of it, and at least two sides were seen along a third of their length.
   const auto seen = std::count_if(fit.support.begin(), fit.support.end(),

@@ -2,11 +2,7 @@
 // The default chain from the points of one plane to polygons, rectangle, A, E, R, with intervals
 // and with what lies beyond each edge.
 
-#include <vector>
-
 #include "cloud/point_cloud.hpp"
-#include "perception/outline.hpp"
-#include "perception/rectangle_fit.hpp"
 #include "perception/shape_view.hpp"
 #include "perception/surface.hpp"
 
@@ -17,11 +13,5 @@ namespace scanchor {
 /// not null), from the rays beside them. Deterministic, without a trace of the points' order.
 void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surfaces& all,
                    Surface& surface);
-
-/// The raw outline as polygons: noise in it smoothed, edges straight, valid (polygon_check.hpp),
-/// largest first. `edges`: all outer edges with their kind, for the fit of the rectangle. Pieces
-/// and holes of less than three samples are left out.
-std::vector<Polygon> outline_polygons(const Outline& outline,
-                                      std::vector<OutlineEdge>* edges = nullptr);
 
 }  // namespace scanchor

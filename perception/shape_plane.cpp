@@ -20,7 +20,7 @@ double RayPlane::distance_variance(const Eigen::Vector3d& a, const Eigen::Vector
 }
 
 RayPlane fit_along_rays(const PointCloud& cloud, const Surface& surface,
-                        const Eigen::Vector3d& sensor, std::span<const std::uint32_t> ordered) {
+                        const Eigen::Vector3d& sensor, const ShapeView* view) {
   RayPlane plane;
   plane.sensor = sensor;
   plane.T_cloud_plane = surface.T_cloud_surface;
@@ -43,12 +43,9 @@ RayPlane fit_along_rays(const PointCloud& cloud, const Surface& surface,
   };
   std::vector<Ray> rays;
   rays.reserve(surface.inliers.size());
-  const auto add = [&](const Eigen::Vector3d& x) {
-    const double range = x.norm();
-    rays.push_back({x / range, range});
-  };
-  if (ordered.size() == surface.inliers.size()) {
-    for (const std::uint32_t i : ordered) add(cloud.points[i] - sensor);
+  if (view != nullptr) {
+    for (const std::uint32_t k : view->plane_rays(surface.id))
+      rays.push_back({view->ray(k).direction, view->ray(k).range});
   } else {
     std::vector<Eigen::Vector3d> sorted;
     sorted.reserve(surface.inliers.size());
@@ -56,7 +53,7 @@ RayPlane fit_along_rays(const PointCloud& cloud, const Surface& surface,
     std::sort(sorted.begin(), sorted.end(), [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
       return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
     });
-    for (const Eigen::Vector3d& x : sorted) add(x);
+    for (const Eigen::Vector3d& x : sorted) rays.push_back({x / x.norm(), x.norm()});
   }
   Eigen::Vector3d p = plane.p;
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();

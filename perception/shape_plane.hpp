@@ -4,9 +4,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cstdint>
-#include <span>
 
 #include "cloud/point_cloud.hpp"
+#include "perception/shape_view.hpp"
 #include "perception/surface.hpp"
 
 namespace scanchor {
@@ -31,9 +31,9 @@ struct RayPlane {
 /// about sigma^2 sin(i) cos(i) / variance of its points along the slope (one degree for half a
 /// metre at 45 degrees and 3 cm), because noise along the ray moves a point across and along the
 /// plane at once; this one does not. Falls back to the surface's plane where the points do not
-/// determine one. `ordered`: the surface's inliers in a sequence that the order of the cloud has no
-/// part in (ShapeView::plane_points); without, they are sorted here.
+/// determine one. `view`: holds the surface's inliers as plane `surface.id`, in a sequence that the
+/// order of the cloud has no part in; without, they are sorted here.
 RayPlane fit_along_rays(const PointCloud& cloud, const Surface& surface,
-                        const Eigen::Vector3d& sensor, std::span<const std::uint32_t> ordered = {});
+                        const Eigen::Vector3d& sensor, const ShapeView* view = nullptr);
 
 }  // namespace scanchor

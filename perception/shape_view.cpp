@@ -8,6 +8,8 @@
 namespace scanchor {
 namespace {
 
+constexpr std::uint32_t none = 0xffffffffU;
+
 /// Face 0..5 of the cube (+x -x +y -y +z -z) that a direction passes, and where, in [-1, 1].
 struct CubePlace {
   int face;
@@ -66,14 +68,12 @@ ShapeView::ShapeView(const PointCloud& cloud, const Eigen::Vector3d& sensor,
                      const std::vector<std::int32_t>& plane_of_point)
     : sensor_(sensor) {
   constexpr int coarse_side = 48;
-  constexpr std::uint32_t none = 0xffffffffU;
   const std::size_t n = cloud.size();
   struct Place {
     float u, v;
     std::uint32_t face;
   };
   std::vector<Place> places(n);
-  directions_.resize(n);
   parallel_blocks(n, 16384, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Eigen::Vector3d d = cloud.points[i] - sensor;
@@ -81,7 +81,6 @@ ShapeView::ShapeView(const PointCloud& cloud, const Eigen::Vector3d& sensor,
         places[i].face = none;
         continue;
       }
-      directions_[i] = d.normalized();
       const CubePlace p = cube_place(d);
       places[i] = {static_cast<float>(p.u), static_cast<float>(p.v),
                    static_cast<std::uint32_t>(p.face)};
@@ -101,29 +100,37 @@ ShapeView::ShapeView(const PointCloud& cloud, const Eigen::Vector3d& sensor,
 
   const auto cells = static_cast<std::size_t>(6) * static_cast<std::size_t>(side_) *
                      static_cast<std::size_t>(side_);
-  cell_of_point_.resize(n);
+  std::vector<std::uint32_t> cell_of_point(n);
   begin_.assign(cells + 1, 0);
   owner_.assign(cells, empty);
   for (std::size_t i = 0; i < n; ++i) {
     if (places[i].face == none) {
-      cell_of_point_[i] = static_cast<std::uint32_t>(cells);
+      cell_of_point[i] = none;
       continue;
     }
     const std::uint32_t cell = cell_in(i, side_);
-    cell_of_point_[i] = cell;
+    cell_of_point[i] = cell;
     ++begin_[cell + 1];
     std::int32_t& owner = owner_[cell];
     owner = owner == empty || owner == plane_of_point[i] ? plane_of_point[i] : mixed;
   }
   for (std::size_t c = 0; c < cells; ++c) begin_[c + 1] += begin_[c];
-  order_.resize(rays);
+  fill_cells(cloud, plane_of_point, cell_of_point);
+  find_deep_cells();
+  list_planes();
+}
+
+void ShapeView::fill_cells(const PointCloud& cloud, const std::vector<std::int32_t>& plane_of_point,
+                           const std::vector<std::uint32_t>& cell_of_point) {
+  std::vector<std::uint32_t> order(begin_.back());
   std::vector<std::uint32_t> fill(begin_.begin(), begin_.end() - 1);
-  for (std::size_t i = 0; i < n; ++i) {
-    if (places[i].face != none) order_[fill[cell_of_point_[i]]++] = static_cast<std::uint32_t>(i);
+  for (std::size_t i = 0; i < cell_of_point.size(); ++i) {
+    if (cell_of_point[i] != none) order[fill[cell_of_point[i]]++] = static_cast<std::uint32_t>(i);
   }
-  parallel_blocks(cells, 8192, [&](std::size_t begin, std::size_t end) {
+  rays_.resize(order.size());
+  parallel_blocks(owner_.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
-      std::sort(order_.begin() + begin_[c], order_.begin() + begin_[c + 1],
+      std::sort(order.begin() + begin_[c], order.begin() + begin_[c + 1],
                 [&](std::uint32_t a, std::uint32_t b) {
                   const Eigen::Vector3d& p = cloud.points[a];
                   const Eigen::Vector3d& q = cloud.points[b];
@@ -131,21 +138,73 @@ ShapeView::ShapeView(const PointCloud& cloud, const Eigen::Vector3d& sensor,
                   if (p.y() != q.y()) return p.y() < q.y();
                   return p.z() < q.z();
                 });
+      for (std::uint32_t k = begin_[c]; k < begin_[c + 1]; ++k) {
+        const Eigen::Vector3d d = cloud.points[order[k]] - sensor_;
+        const double range = d.norm();
+        rays_[k] = {cloud.points[order[k]], d / range, range, order[k], plane_of_point[order[k]]};
+      }
     }
   });
+}
+
+void ShapeView::find_deep_cells() {
+  deep_.assign(owner_.size(), 0);
+  const auto side = static_cast<std::size_t>(side_);
+  parallel_blocks(6 * side, 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      for (std::size_t x = 0; x < side; ++x) {
+        const std::size_t c = row * side + x;
+        const std::int32_t owner = owner_[c];
+        if (owner < 0) continue;
+        bool deep = true;
+        const std::size_t y = row % side;
+        if (x > 0 && x + 1 < side && y > 0 && y + 1 < side) {
+          for (const std::size_t middle : {c - side, c, c + side}) {
+            deep = deep && owner_[middle - 1] == owner && owner_[middle] == owner &&
+                   owner_[middle + 1] == owner;
+          }
+        } else {
+          for (const std::uint32_t a : around(static_cast<std::uint32_t>(c)))
+            deep = deep && owner_[a] == owner;
+        }
+        deep_[c] = deep ? 1 : 0;
+      }
+    }
+  });
+}
+
+void ShapeView::list_planes() {
   std::int32_t planes = 0;
-  for (const std::int32_t plane : plane_of_point) planes = std::max(planes, plane + 1);
+  for (const ShapeRay& ray : rays_) planes = std::max(planes, ray.plane + 1);
   plane_begin_.assign(static_cast<std::size_t>(planes) + 1, 0);
-  for (const std::uint32_t i : order_) {
-    if (plane_of_point[i] >= 0) ++plane_begin_[static_cast<std::size_t>(plane_of_point[i]) + 1];
+  plane_cell_begin_ = plane_begin_;
+  const auto each_ray_of_a_plane = [&](const auto& visit) {  // (plane, place, cell, first there)
+    std::vector<std::uint32_t> last(static_cast<std::size_t>(planes), none);
+    for (std::uint32_t c = 0; c < owner_.size(); ++c) {
+      for (std::uint32_t k = begin_[c]; k < begin_[c + 1]; ++k) {
+        if (rays_[k].plane < 0) continue;
+        const auto p = static_cast<std::size_t>(rays_[k].plane);
+        visit(p, k, c, last[p] != c);
+        last[p] = c;
+      }
+    }
+  };
+  each_ray_of_a_plane([&](std::size_t p, std::uint32_t, std::uint32_t, bool first) {
+    ++plane_begin_[p + 1];
+    if (first) ++plane_cell_begin_[p + 1];
+  });
+  for (std::size_t p = 1; p < plane_begin_.size(); ++p) {
+    plane_begin_[p] += plane_begin_[p - 1];
+    plane_cell_begin_[p] += plane_cell_begin_[p - 1];
   }
-  for (std::size_t p = 1; p < plane_begin_.size(); ++p) plane_begin_[p] += plane_begin_[p - 1];
   plane_order_.resize(plane_begin_.back());
-  fill.assign(plane_begin_.begin(), plane_begin_.end() - 1);
-  for (const std::uint32_t i : order_) {
-    if (plane_of_point[i] >= 0)
-      plane_order_[fill[static_cast<std::size_t>(plane_of_point[i])]++] = i;
-  }
+  plane_cell_.resize(plane_cell_begin_.back());
+  std::vector<std::uint32_t> fill(plane_begin_.begin(), plane_begin_.end() - 1);
+  std::vector<std::uint32_t> fill_cell(plane_cell_begin_.begin(), plane_cell_begin_.end() - 1);
+  each_ray_of_a_plane([&](std::size_t p, std::uint32_t k, std::uint32_t c, bool first) {
+    plane_order_[fill[p]++] = k;
+    if (first) plane_cell_[fill_cell[p]++] = c;
+  });
 }
 
 std::uint32_t ShapeView::cell_of(const Eigen::Vector3d& direction) const {

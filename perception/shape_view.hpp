@@ -13,8 +13,18 @@
 
 namespace scanchor {
 
-/// Rays of one sensor position in the cells of a cube map. Immutable after construction.
-/// Independent of the order of the points, but for the order of equal points.
+/// One ray and what it met, in one line of the processor's memory.
+struct ShapeRay {
+  Eigen::Vector3d point;      ///< [m] in the cloud's frame
+  Eigen::Vector3d direction;  ///< unit vector from the sensor
+  double range;               ///< [m]
+  std::uint32_t index;        ///< of the point in the cloud
+  std::int32_t plane;         ///< that owns the point, -1: none
+};
+
+/// Rays of one sensor position in the cells of a cube map, cell by cell in memory, so that the
+/// surfaces need not gather their points one by one. Immutable after construction. Independent of
+/// the order of the points, but for the order of equal points.
 class ShapeView {
  public:
   /// owner of a cell that holds no ray, or rays of several planes.
@@ -33,26 +43,23 @@ class ShapeView {
   }
   /// Cell of a direction, which need not have length 1.
   [[nodiscard]] std::uint32_t cell_of(const Eigen::Vector3d& direction) const;
-  /// Unit vector from the sensor to a point of the cloud.
-  [[nodiscard]] const Eigen::Vector3d& direction(std::uint32_t point) const {
-    return directions_[point];
-  }
-  /// Cell of a point of the cloud, cell_count() if it was left out.
-  [[nodiscard]] std::uint32_t cell_of_point(std::uint32_t point) const {
-    return cell_of_point_[point];
-  }
   /// The plane that owns all rays of the cell, or `empty`, or `mixed`; -1: rays of no plane.
   [[nodiscard]] std::int32_t owner(std::uint32_t cell) const { return owner_[cell]; }
-  /// The points of a plane, cell by cell: a sequence without a trace of the order of the points, so
-  /// that sums over it have the same bits for any.
-  [[nodiscard]] std::span<const std::uint32_t> plane_points(std::int32_t plane) const {
-    const auto p = static_cast<std::size_t>(plane);
-    if (p + 1 >= plane_begin_.size()) return {};
-    return {plane_order_.data() + plane_begin_[p], plane_order_.data() + plane_begin_[p + 1]};
+  /// All rays of the cell and of the eight around it belong to one plane.
+  [[nodiscard]] bool is_deep(std::uint32_t cell) const { return deep_[cell] != 0; }
+  /// The rays in a cell, by x, then y, then z of their points.
+  [[nodiscard]] std::span<const ShapeRay> rays(std::uint32_t cell) const {
+    return {rays_.data() + begin_[cell], rays_.data() + begin_[cell + 1]};
   }
-  /// Indices of the points in a cell, by x, then y, then z.
-  [[nodiscard]] std::span<const std::uint32_t> points(std::uint32_t cell) const {
-    return {order_.data() + begin_[cell], order_.data() + begin_[cell + 1]};
+  /// The rays of a plane, cell by cell: a sequence without a trace of the order of the points, so
+  /// that sums over it have the same bits for any. To be asked for with ray().
+  [[nodiscard]] std::span<const std::uint32_t> plane_rays(std::int32_t plane) const {
+    return of_plane(plane, plane_begin_, plane_order_);
+  }
+  [[nodiscard]] const ShapeRay& ray(std::uint32_t place) const { return rays_[place]; }
+  /// The cells that hold a ray of the plane, each once, rising.
+  [[nodiscard]] std::span<const std::uint32_t> plane_cells(std::int32_t plane) const {
+    return of_plane(plane, plane_cell_begin_, plane_cell_);
   }
   /// The eight cells around a cell, also across the edges of the cube (there some may repeat).
   [[nodiscard]] std::array<std::uint32_t, 8> around(std::uint32_t cell) const;
@@ -60,11 +67,24 @@ class ShapeView {
  private:
   Eigen::Vector3d sensor_;
   int side_ = 1;  ///< cells along an edge of the cube
-  std::vector<Eigen::Vector3d> directions_;
-  std::vector<std::uint32_t> cell_of_point_;
-  std::vector<std::uint32_t> begin_, order_;
+  std::vector<ShapeRay> rays_;
+  std::vector<std::uint32_t> begin_;
   std::vector<std::uint32_t> plane_begin_, plane_order_;
+  std::vector<std::uint32_t> plane_cell_begin_, plane_cell_;
   std::vector<std::int32_t> owner_;
+  std::vector<char> deep_;
+
+  void fill_cells(const PointCloud& cloud, const std::vector<std::int32_t>& plane_of_point,
+                  const std::vector<std::uint32_t>& cell_of_point);
+  void find_deep_cells();
+  void list_planes();
+  static std::span<const std::uint32_t> of_plane(std::int32_t plane,
+                                                 const std::vector<std::uint32_t>& begin,
+                                                 const std::vector<std::uint32_t>& list) {
+    const auto p = static_cast<std::size_t>(plane);
+    if (p + 1 >= begin.size()) return {};
+    return {list.data() + begin[p], list.data() + begin[p + 1]};
+  }
 };
 
 }  // namespace scanchor

@@ -25,8 +25,7 @@ TEST(OutlineContacts, AFloorGoesOnBehindABoxAndEndsAtTheWall) {
     of_panel[scan.panel_of_surface[i]] = i;
   const ShapeView view(scan.cloud, setup.position, scan.surfaces.plane_of_point);
   const Surface& floor = scan.surfaces.surfaces[of_panel[0]];
-  const OutlineSamples samples =
-      samples_with_view(scan.cloud, view, scan.surfaces, floor, floor.T_cloud_surface, 0.035);
+  const OutlineSamples samples = samples_with_view(view, floor, floor.T_cloud_surface, 0.035);
   const std::vector<char> behind = goes_on_behind(scan.surfaces, samples, 0.035);
   ASSERT_EQ(behind.size(), 3U);
   EXPECT_EQ(behind[of_panel[2]], 1) << "the floor is seen behind the box";

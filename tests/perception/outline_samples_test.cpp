@@ -37,8 +37,7 @@ TEST(OutlineSamples, KindsFollowWhatTheRaysMet) {
   const std::size_t board = surface_of(scan, 0);
   const Surface& s = scan.surfaces.surfaces[board];
   const ShapeView view(scan.cloud, {0, 0, 0}, scan.surfaces.plane_of_point);
-  const OutlineSamples samples =
-      samples_with_view(scan.cloud, view, scan.surfaces, s, s.T_cloud_surface, 0.035);
+  const OutlineSamples samples = samples_with_view(view, s, s.T_cloud_surface, 0.035);
   std::array<int, 4> counts{};
   for (const OutlineSample& sample : samples.samples) {
     ++counts[static_cast<std::size_t>(sample.kind)];
@@ -68,8 +67,7 @@ TEST(OutlineSamples, RangeNoiseDoesNotMoveThemAlongThePlane) {
   const std::size_t board = surface_of(clean, 0);
   const Surface& s = clean.surfaces.surfaces[board];
   const ShapeView view(noisy.cloud, {0, 0, 0}, clean.surfaces.plane_of_point);
-  const OutlineSamples samples =
-      samples_with_view(noisy.cloud, view, clean.surfaces, s, s.T_cloud_surface, 0.2);
+  const OutlineSamples samples = samples_with_view(view, s, s.T_cloud_surface, 0.2);
   int checked = 0;
   for (const OutlineSample& sample : samples.samples) {
     if (sample.kind != SampleKind::inside) continue;
@@ -84,8 +82,7 @@ TEST(OutlineSamples, TheChartIsAProjectiveImageOfThePlane) {
   const ShapeScan scan = board_scan(0.0);
   const Surface& s = scan.surfaces.surfaces[surface_of(scan, 0)];
   const ShapeView view(scan.cloud, {0, 0, 0}, scan.surfaces.plane_of_point);
-  const OutlineSamples samples =
-      samples_with_view(scan.cloud, view, scan.surfaces, s, s.T_cloud_surface, 1e-6);
+  const OutlineSamples samples = samples_with_view(view, s, s.T_cloud_surface, 1e-6);
   for (const OutlineSample& sample : samples.samples) {
     if (!sample.reachable) continue;
     Eigen::Vector2d plane;

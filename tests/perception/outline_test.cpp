@@ -28,8 +28,7 @@ Outlined outline_of_first(const std::vector<Panel>& panels, ScannerSetup setup =
     if (result.scan.panel_of_surface[i] != 0) continue;
     const Surface& s = result.scan.surfaces.surfaces[i];
     const ShapeView view(result.scan.cloud, setup.position, result.scan.surfaces.plane_of_point);
-    const OutlineSamples samples = samples_with_view(result.scan.cloud, view, result.scan.surfaces,
-                                                     s, s.T_cloud_surface, 1e-4);
+    const OutlineSamples samples = samples_with_view(view, s, s.T_cloud_surface, 1e-4);
     result.outline = find_outline(result.scan.cloud, result.scan.surfaces, s, samples, 1e-4);
   }
   return result;

@@ -30,15 +30,19 @@ TEST(ShapeView, HoldsEveryFinitePointOnce) {
   const ShapeView view(cloud, sensor, std::vector<std::int32_t>(cloud.size(), -1));
   std::multiset<std::uint32_t> seen;
   for (std::uint32_t c = 0; c < view.cell_count(); ++c) {
-    for (const auto i : view.points(c)) {
-      seen.insert(i);
-      EXPECT_EQ(view.cell_of_point(i), c);
+    for (const ShapeRay& ray : view.rays(c)) {
+      seen.insert(ray.index);
+      const std::uint32_t cell = view.cell_of(ray.direction);
+      const auto around = view.around(cell);  // rounding may put a direction on a border there
+      EXPECT_TRUE(cell == c || std::count(around.begin(), around.end(), c) > 0);
+      EXPECT_EQ(ray.point, cloud.points[ray.index]);
+      EXPECT_NEAR((sensor + ray.range * ray.direction - ray.point).norm(), 0.0, 1e-12);
     }
   }
   EXPECT_EQ(seen.size(), 4998U);
   EXPECT_EQ(std::set<std::uint32_t>(seen.begin(), seen.end()).size(), 4998U);
   EXPECT_EQ(seen.count(7), 0U);
-  EXPECT_EQ(view.cell_of_point(8), view.cell_count());
+  EXPECT_EQ(seen.count(8), 0U);
 }
 
 TEST(ShapeView, PointsOfAPlaneComeInTheSameSequenceForAnyOrder) {
@@ -55,17 +59,26 @@ TEST(ShapeView, PointsOfAPlaneComeInTheSameSequenceForAnyOrder) {
   const ShapeView a(cloud, {0, 0, 0}, plane);
   const ShapeView b(other, {0, 0, 0}, other_plane);
   for (int p = 0; p < 3; ++p) {
-    const auto left = a.plane_points(p);
-    const auto right = b.plane_points(p);
+    const auto left = a.plane_rays(p);
+    const auto right = b.plane_rays(p);
     ASSERT_EQ(left.size(), 750U);
     ASSERT_EQ(right.size(), left.size());
     for (std::size_t i = 0; i < left.size(); ++i) {
-      EXPECT_EQ(plane[left[i]], p);
-      EXPECT_EQ(cloud.points[left[i]], other.points[right[i]]);
-      EXPECT_NEAR((a.direction(left[i]) - cloud.points[left[i]].normalized()).norm(), 0.0, 1e-15);
+      EXPECT_EQ(a.ray(left[i]).plane, p);
+      EXPECT_EQ(plane[a.ray(left[i]).index], p);
+      EXPECT_EQ(a.ray(left[i]).point, b.ray(right[i]).point);
     }
+    std::vector<std::uint32_t> cells;
+    for (std::uint32_t c = 0; c < a.cell_count(); ++c) {
+      const auto rays = a.rays(c);
+      if (std::any_of(rays.begin(), rays.end(), [&](const ShapeRay& r) { return r.plane == p; }))
+        cells.push_back(c);
+    }
+    const auto listed = a.plane_cells(p);
+    EXPECT_EQ(std::vector<std::uint32_t>(listed.begin(), listed.end()), cells);
   }
-  EXPECT_TRUE(a.plane_points(3).empty());
+  EXPECT_TRUE(a.plane_rays(3).empty());
+  EXPECT_TRUE(a.plane_cells(3).empty());
 }
 
 TEST(ShapeView, NeighbourCellsHoldTheNeighbourDirectionsAlsoAcrossTheCube) {
@@ -95,7 +108,7 @@ TEST(ShapeView, ACellBelongsToAPlaneOnlyIfAllOfItDoes) {
   const ShapeView view(cloud, Eigen::Vector3d::Zero(), plane);
   for (std::uint32_t c = 0; c < view.cell_count(); ++c) {
     std::set<std::int32_t> found;
-    for (const auto i : view.points(c)) found.insert(plane[i]);
+    for (const ShapeRay& ray : view.rays(c)) found.insert(ray.plane);
     if (found.empty()) {
       EXPECT_EQ(view.owner(c), ShapeView::empty);
     }
@@ -106,6 +119,23 @@ TEST(ShapeView, ACellBelongsToAPlaneOnlyIfAllOfItDoes) {
       EXPECT_EQ(view.owner(c), ShapeView::mixed);
     }
   }
+}
+
+TEST(ShapeView, ACellIsDeepWhereAllAroundIsOfItsPlane) {
+  const PointCloud cloud = all_around(6000, 6, Eigen::Vector3d::Zero());
+  std::vector<std::int32_t> plane(cloud.size());
+  for (std::size_t i = 0; i < plane.size(); ++i) plane[i] = cloud.points[i].z() > 0 ? 0 : 1;
+  const ShapeView view(cloud, Eigen::Vector3d::Zero(), plane);
+  std::size_t deep = 0;
+  for (std::uint32_t c = 0; c < view.cell_count(); ++c) {
+    const std::int32_t owner = view.owner(c);
+    bool expected = owner >= 0;
+    for (const auto a : view.around(c)) expected = expected && view.owner(a) == owner;
+    EXPECT_EQ(view.is_deep(c), expected);
+    deep += view.is_deep(c);
+  }
+  EXPECT_GT(deep, view.cell_count() / 4);
+  EXPECT_LT(deep, view.cell_count());
 }
 
 TEST(ShapeView, CellsAreAboutTwoSpacingsWide) {
