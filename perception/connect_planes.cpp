@@ -113,8 +113,8 @@ class CellSearch {
       return labels.of_point[p] == labels.of_point[from[0]] ||
              labels.of_point[p] == labels.of_point[to[0]];
     };
-    std::size_t hidden = 0;
-    for (std::size_t i = 0; i < ways; ++i) {
+    std::size_t hidden = 0, open = 0;
+    for (std::size_t i = 0; i < ways && 2 * std::max(hidden, open) <= ways; ++i) {
       const Eigen::Vector3f start = cloud_.point(from[(2 * i + 1) * from.size() / (2 * ways)]);
       Eigen::Vector3f way = Eigen::Vector3f::Constant(1e18F);
       for (std::size_t j = 0; j < ends; ++j) {
@@ -122,9 +122,9 @@ class CellSearch {
             cloud_.point(to[(2 * j + 1) * to.size() / (2 * ends)]) - start;
         if (there.squaredNorm() < way.squaredNorm()) way = there;
       }
-      hidden += is_hidden(start - sensor, way, of_either) ? 1 : 0;
+      ++(is_hidden(start - sensor, way, of_either) ? hidden : open);
     }
-    return 2 * hidden >= ways;
+    return hidden >= open;
   }
 
   std::vector<std::int32_t> piece;  // by cell; `none` between searches
@@ -308,6 +308,8 @@ void join(const CanonicalCloud& cloud, const BeamGrid& grid, const BeamNoise& no
   std::stable_sort(order.begin(), order.end(),
                    [&](auto a, auto b) { return members[a].size() > members[b].size(); });
   std::vector<bool> gone(planes.size(), false);
+  const Eigen::Vector3f sensor = noise.sensor.cast<float>();
+  constexpr double no_accident = -8.5;  // one pair in 5000, which is as many as 100 planes have
   for (std::size_t i = 0; i < order.size(); ++i) {
     const auto a = order[i];
     if (gone[a]) continue;
@@ -318,8 +320,11 @@ void join(const CanonicalCloud& cloud, const BeamGrid& grid, const BeamNoise& no
       for (std::size_t j = i + 1; j < order.size(); ++j) {
         const auto b = order[j];
         if (gone[b] || !lie_in_one_plane(planes[a], planes[b], noise)) continue;
-        if (!search.hidden_path(cells_of(grid, members[b]), static_cast<std::int32_t>(a))) continue;
-        if (!search.mostly_hidden(members[b], members[a], labels, noise.sensor.cast<float>()))
+        const bool hidden = search.mostly_hidden(members[b], members[a], labels, sensor);
+        // What agrees so well that it is no accident may have a window in it.
+        if (!hidden &&
+            (log_chance_agreement(planes[a], planes[b]) > no_accident ||
+             !search.hidden_path(cells_of(grid, members[b]), static_cast<std::int32_t>(a))))
           continue;
         Moments both = planes[a].moments;
         both.add(planes[b].moments);

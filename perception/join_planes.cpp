@@ -58,6 +58,29 @@ bool lie_in_one_plane(const GrownPlane& a, const GrownPlane& b, const BeamNoise&
   return large.sigma * large.sigma * leverage(large, there) < known && same_plane(a, b, noise);
 }
 
+double log_chance_agreement(const GrownPlane& a, const GrownPlane& b) {
+  // Height and slopes of each about a place between them, by their own points.
+  const GrownPlane& small = a.moments.n < b.moments.n ? a : b;
+  const Eigen::Vector3d at = small.moments.mean();
+  const Eigen::Vector3d u = small.plane.axes.col(1), v = small.plane.axes.col(2);
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  // of their difference
+  for (const GrownPlane* grown : {&a, &b}) {
+    const Eigen::Vector3d out = grown->moments.mean() - at;
+    const Eigen::Matrix3d spread = grown->moments.covariance() + out * out.transpose();
+    const double ou = u.dot(out), ov = v.dot(out), uu = u.dot(spread * u), uv = u.dot(spread * v),
+                 vv = v.dot(spread * v);
+    Eigen::Matrix3d information;
+    information << 1.0, ou, ov, ou, uu, uv, ov, uv, vv;
+    const double determinant = information.determinant();
+    if (!(determinant > 0.0)) return 0.0;
+    covariance += grown->sigma * grown->sigma / grown->moments.n * information.inverse();
+  }
+  // The ball of same_plane's test, in a box of what different planes may differ by.
+  constexpr double ball = 4.18879 * 65.8, box = 0.25 * 0.25 * 0.25;
+  return std::min(
+      0.0, 0.5 * std::log(std::max(covariance.determinant(), 1e-300)) + std::log(ball / box));
+}
+
 bool surely_same_plane(const GrownPlane& a, const GrownPlane& b, const BeamNoise& noise) {
   return lie_near(a, b) && lie_in_one_plane(a, b, noise);
 }

@@ -21,6 +21,11 @@ bool surely_same_plane(const GrownPlane& a, const GrownPlane& b, const BeamNoise
 /// The same without a bound on the gap.
 bool lie_in_one_plane(const GrownPlane& a, const GrownPlane& b, const BeamNoise& noise);
 
+/// Logarithm of the chance that two different planes, whose heights differ by up to +-12 cm and
+/// whose slopes by up to +-0.12, as evenly spread, pass same_plane's test: small where both are
+/// known so well that agreeing is no accident.
+double log_chance_agreement(const GrownPlane& a, const GrownPlane& b);
+
 /// Joins `pairs` (of indices into `planes`, i < j, rising) for which the test holds, the planes
 /// updated as it goes. Returns for each plane the one it went into (itself: stays; always a smaller
 /// number). Joined planes keep their last state.

@@ -18,11 +18,14 @@ struct TwoBoards {
   BeamNoise noise{0.005};
   std::vector<int> truth;  // canonical: 0 left board, 1 right board, 2 wall, 3 post
 
-  // `shelf`: a strip 2 cm high before the lower edges of both, as a board that both stand on.
-  explicit TwoBoards(double gap, bool post_before, bool one_label, bool shelf = false) {
+  // `shelf_noise`: where not 0, they are small, the noise is this, and a strip 2 cm high is before
+  // the lower edges of both, as a board that both stand on.
+  explicit TwoBoards(double gap, bool post_before, bool one_label, double shelf_noise = 0.0) {
+    const bool shelf = shelf_noise > 0.0;
     SequentialRandom random(11);
     std::vector<Eigen::Vector3d> points;
     std::vector<int> kinds;
+    const double sigma = shelf ? shelf_noise : 0.005, end = shelf ? 0.3 : 0.6;
     for (double a = -30.0; a <= 30.0; a += 0.5) {
       for (double e = -15.0; e <= 15.0; e += 0.5) {
         const Eigen::Vector3d d =
@@ -32,19 +35,18 @@ struct TwoBoards {
         double x = 4.0;
         if (std::abs(y) < 0.5 * gap) {
           if (post_before) kind = 3, x = 1.5;
-        } else if (std::abs(y) < 0.6) {
+        } else if (std::abs(y) < end && !(shelf && std::abs(e) > 4.9)) {
           kind = y < 0.0 ? 0 : 1, x = 2.0;
         }
-        if (shelf && e < -10.0) kind = 2, x = 4.0;
-        if (shelf && std::abs(e + 10.0) < 0.4 && std::abs(y) < 0.6) kind = 3, x = 1.95;
-        points.push_back(d * (x + 0.005 * random.normal() / d.norm()));
+        if (shelf && std::abs(e + 5.0) < 0.4 && std::abs(y) < end) kind = 3, x = 1.95;
+        points.push_back(d * (x + sigma * random.normal() / d.norm()));
         kinds.push_back(kind);
       }
     }
     std::vector<std::uint32_t> all(points.size());
     std::iota(all.begin(), all.end(), 0U);
     cloud = canonical_cloud(points, all);
-    noise = BeamNoise(0.005, cloud.T_cloud_canonical.inverse() * Eigen::Vector3d::Zero());
+    noise = BeamNoise(sigma, cloud.T_cloud_canonical.inverse() * Eigen::Vector3d::Zero());
     see_from(noise.sensor, cloud);
     std::vector<Moments> sums(4);
     for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -94,12 +96,20 @@ TEST(ConnectPlanes, TwoThingsInOnePlaneStayTwo) {
 
 // A path along the board is no reason: most beams between the two met what is behind.
 TEST(ConnectPlanes, ThingsOnOneBoardStayTwo) {
-  TwoBoards scene(0.25, false, false, true);
+  TwoBoards scene(0.12, false, false, 0.02);
   connect_planes(scene.cloud, BeamGrid(scene.cloud, scene.noise.sensor), scene.noise, 20,
                  scene.labels);
   EXPECT_EQ(scene.labels_of(0).size(), 1U);
   EXPECT_EQ(scene.labels_of(1).size(), 1U);
   EXPECT_NE(scene.labels_of(0), scene.labels_of(1));
+}
+
+// As a wall is, left and right of a window: planes that agree to a tenth of a millimetre.
+TEST(ConnectPlanes, PiecesThatAgreeByNoAccidentAreOne) {
+  TwoBoards scene(0.12, false, false, 0.002);
+  connect_planes(scene.cloud, BeamGrid(scene.cloud, scene.noise.sensor), scene.noise, 20,
+                 scene.labels);
+  EXPECT_EQ(scene.labels_of(0), scene.labels_of(1));
 }
 
 TEST(ConnectPlanes, AStrayPointInThePlaneLosesItsLabel) {

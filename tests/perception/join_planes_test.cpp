@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/random.hpp"
 
 namespace scanchor {
@@ -69,6 +71,53 @@ TEST(JoinPlanes, DesksOfOneHeightStayTwoAndAShadowedFloorIsOne) {
   const auto floor = top(random, 0.0, 2.0, 4.0, sigma),
              beyond = top(random, 2.3, 5.0, 4.0, sigma);  // a shadow of 0.3 m
   EXPECT_TRUE(surely_same_plane(floor, beyond, sigma));
+}
+
+// Planes drawn from the box that log_chance_agreement speaks of: as many pass the test of 16.3 as
+// it says, of which it counts a ball of three dimensions.
+TEST(JoinPlanes, ChanceOfAgreementIsThatOfPlanesDrawn) {
+  SequentialRandom random(12);
+  const double sigma = 0.02;
+  const auto sheet = [&](double from, double height, double du, double dv) {
+    Moments moments;
+    for (int i = 0; i < 40; ++i) {
+      const double u = random.uniform(0.0, 0.3), v = random.uniform(0.0, 0.3);
+      moments.add(from + u, v, height + du * u + dv * v + sigma * random.normal());
+    }
+    return grown_plane(moments, BeamNoise(sigma));
+  };
+  const GrownPlane first = sheet(0.0, 0.0, 0.0, 0.0);
+  double passed = 0.0, said = 0.0;
+  constexpr int draws = 4000;
+  for (int k = 0; k < draws; ++k) {
+    const GrownPlane second = sheet(0.4, random.uniform(-0.125, 0.125),
+                                    random.uniform(-0.125, 0.125), random.uniform(-0.125, 0.125));
+    passed += same_plane(first, second, BeamNoise(sigma)) ? 1.0 / draws : 0.0;
+    said += std::exp(log_chance_agreement(first, second)) / draws;
+  }
+  EXPECT_GT(said,
+            0.3 * passed);  // the test allows a tenth of the noise more, and the box has sides
+  EXPECT_LT(said, 3.0 * passed);
+  EXPECT_GT(passed, 0.01);
+}
+
+TEST(JoinPlanes, MorePointsAgreeLessByChance) {
+  SequentialRandom random(13);
+  double last = 0.0;
+  for (const int count : {30, 300, 3000}) {
+    std::vector<GrownPlane> planes;
+    for (const double from : {0.0, 0.4}) {
+      Moments moments;
+      for (int i = 0; i < count; ++i)
+        moments.add(from + random.uniform(0.0, 0.3), random.uniform(0.0, 0.3),
+                    0.01 * random.normal());
+      planes.push_back(grown_plane(moments, BeamNoise(0.01)));
+    }
+    const double chance = log_chance_agreement(planes[0], planes[1]);
+    EXPECT_NEAR(chance, log_chance_agreement(planes[1], planes[0]), 1.0);
+    EXPECT_LT(chance, last - 2.0);  // ten times the points: a factor of 10^1.5
+    last = chance;
+  }
 }
 
 }  // namespace
