@@ -10,8 +10,8 @@
 namespace scanchor {
 namespace {
 
-constexpr int directions = 13;  // directions that are tried at once
-constexpr int rounds = 3;       // each looks closer at where the one before found weight
+constexpr int directions = 13;   // directions that are tried at once
+constexpr int closer_looks = 3;  // each looks closer at where the one before found weight
 
 /// A normal distribution over four sigma to either side of the middle.
 SideHistogram normal_bins() {
@@ -28,7 +28,7 @@ SideHistogram normal_bins() {
 /// [m] of a side where nothing beyond it was seen, so that only the outline tells. Each sample's
 /// phase leaves gap^2 / 12; as far as the raw outline wavers by as much the phases differ along the
 /// side and average out.
-double outline_sigma(const Side& side, double noise) {
+double outline_sigma(const RectangleSide& side, double noise) {
   const double whole = side.gap * side.gap / 12.0;
   const double wavering = std::min(whole, side.waver * side.waver);
   const double runs = std::max(1.0, 0.5 * (side.high - side.low) / side.gap);
@@ -74,7 +74,7 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
   RectangleFit fit;
   if (evidence.edges.empty()) return fit;
   const double direction = main_direction(evidence.edges);
-  std::array<Side, 4> sides;
+  std::array<RectangleSide, 4> sides;
   for (int k = 0; k < 4; ++k) {
     sides[static_cast<std::size_t>(k)].turn = 0.5 * pi * k;
     guess_side(evidence.edges, direction, sides[static_cast<std::size_t>(k)]);
@@ -84,7 +84,7 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
   const Eigen::Vector2d v(-u.y(), u.x());
   const Eigen::Vector2d middle = 0.5 * (sides[0].position - sides[2].position) * u +
                                  0.5 * (sides[1].position - sides[3].position) * v;
-  for (Side& side : sides) side.position -= middle.dot(unit_vector(direction + side.turn));
+  for (RectangleSide& side : sides) side.position -= middle.dot(unit_vector(direction + side.turn));
   for (std::size_t k = 0; k < 4; ++k) {  // a side is as long as its neighbours are apart
     const Eigen::Vector2d normal = unit_vector(direction + sides[k].turn);
     const double centre = middle.dot(Eigen::Vector2d(-normal.y(), normal.x()));
@@ -94,7 +94,7 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
   }
 
   std::vector<SideLikelihood> likelihoods;
-  for (const Side& side : sides)
+  for (const RectangleSide& side : sides)
     likelihoods.emplace_back(side, evidence.sigma, evidence, middle, direction);
   std::array<bool, 4> known{};
   for (std::size_t k = 0; k < 4; ++k) known[k] = !sides[k].censored && likelihoods[k].informed();
@@ -122,7 +122,7 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
   }
   static const SideHistogram unknown = normal_bins();
   double total = 0.0;
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < closer_looks; ++round) {
     for (std::size_t k = 0; k < 4; ++k) likelihoods[k].set_step(step[k]);
     double greatest = -1e300;
     for (int t = 0; t < directions; ++t) {
@@ -145,7 +145,7 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
     }
     total = 0.0;
     for (Trial& trial : trials) total += trial.weight = std::exp(trial.weight - greatest);
-    if (round + 1 == rounds) break;
+    if (round + 1 == closer_looks) break;
     // Closer: what holds all but a thousandth of the weight, and one step more to either side.
     constexpr double small = 1e-3;
     std::size_t first = 0;
@@ -195,20 +195,26 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
     std::vector<double> sum(static_cast<std::size_t>(side_bins * (step_a + step_b) / fine) + 2,
                             0.0);
     // Of the two positions together, over all directions.
-    std::array<SideHistogram, side_bins> both{};
+    std::array<SideHistogram, side_bins> both;
+    std::array<bool, side_bins> any{};
     for (const Trial& trial : trials) {
       if (trial.weight < 1e-4) continue;
       for (std::size_t i = 0; i < side_bins; ++i) {
         const double p = trial.weight * trial.side[axis][i];
         if (p < 1e-7) continue;
+        if (!any[i]) both[i].fill(0.0);
+        any[i] = true;
         for (std::size_t j = 0; j < side_bins; ++j) both[i][j] += p * trial.side[axis + 2][j];
       }
     }
+    SideHistogram place;  // of the other position
+    for (std::size_t j = 0; j < side_bins; ++j)
+      place[j] = (static_cast<double>(j) + 0.5) * step_b / fine;
     for (std::size_t i = 0; i < side_bins; ++i) {
+      if (!any[i]) continue;
       const double a = (static_cast<double>(i) + 0.5) * step_a / fine;
       for (std::size_t j = 0; j < side_bins; ++j)
-        sum[static_cast<std::size_t>(a + (static_cast<double>(j) + 0.5) * step_b / fine)] +=
-            both[i][j];
+        sum[static_cast<std::size_t>(a + place[j])] += both[i][j];
     }
     size[axis] = summarize(sum, start[axis] + start[axis + 2], fine);
     size[axis].value = mean_position[axis] + mean_position[axis + 2];

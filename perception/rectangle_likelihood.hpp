@@ -40,11 +40,11 @@ using SideHistogram = std::array<double, side_bins>;
 class SideLikelihood {
  public:
   /// `middle` [m]: where positions are counted from. `sigma` [m]: lateral noise.
-  SideLikelihood(const Side& side, double sigma, const RectangleEvidence& evidence,
+  SideLikelihood(const RectangleSide& side, double sigma, const RectangleEvidence& evidence,
                  const Eigen::Vector2d& middle, double direction);
 
   /// There are samples on both sides.
-  [[nodiscard]] bool informed() const { return !inside_.empty() && !outside_.empty(); }
+  [[nodiscard]] bool informed() const { return !inside_.value.empty() && !outside_.value.empty(); }
 
   /// To be called before positions are tried that lie `step` apart.
   void set_step(double step);
@@ -54,15 +54,26 @@ class SideLikelihood {
   double operator()(double turn, double start, SideHistogram& likelihood) const;
 
  private:
-  struct Sample {
-    double across, along;  ///< [m] from the middle
-    double value;          ///< height [sigma]; then ln P(found here | belongs to the other side)
+  /// Apart from each other, so that the places of many are reckoned at once.
+  struct Samples {
+    std::vector<double> across, along;  ///< [m] from the middle
+    std::vector<double>
+        value;  ///< height [sigma]; then ln P(found here | belongs to the other side)
   };
+  /// How many samples lie in a bin, and the sum of their values.
+  struct Bin {
+    double count = 0.0, value = 0.0;
+  };
+  using Bins =
+      std::array<Bin, side_bins + 2>;  ///< with one before the first and one after the last
+
+  /// Sorts samples, seen in a direction (cosine and sine of its turn), into bins from `start`.
+  [[nodiscard]] Bins sort(const Samples& samples, double c, double s, double start) const;
   double sigma_;
   double step_ = 1.0;
   int window_ = 0;
   std::array<double, 2 * side_bins + 1> soft_{};
-  std::vector<Sample> inside_, outside_;
+  Samples inside_, outside_;
 };
 
 }  // namespace scanchor

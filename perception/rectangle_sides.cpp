@@ -11,13 +11,16 @@ namespace {
 constexpr double most_beyond = 0.08;      // of the area may lie beyond a side
 constexpr double hardly_anything = 0.01;  // of the area is given up where no side is seen
 
-/// Turn from b to a, modulo a right angle, [-pi/4, pi/4).
+/// Turn from b to a, modulo a right angle, [-pi/4, pi/4), of angles that lie less than one apart.
 double quarter_difference(double a, double b) {
-  double d = std::fmod(a - b, 0.5 * pi);
+  double d = a - b;
   if (d >= 0.25 * pi) d -= 0.5 * pi;
   if (d < -0.25 * pi) d += 0.5 * pi;
   return d;
 }
+
+/// Modulo a right angle, [-pi/4, pi/4).
+double within_quarter(double angle) { return quarter_difference(std::fmod(angle, 0.5 * pi), 0.0); }
 
 double trust(EdgeKind kind) {
   // Shadows have straight edges too, but in the direction of what throws them.
@@ -107,8 +110,8 @@ double main_direction(const std::vector<OutlineEdge>& edges) {
   for (const OutlineEdge& e : edges) {
     const double length = (e.to - e.from).norm();
     if (length == 0.0) continue;
-    lines.push_back({std::atan2(e.to.y() - e.from.y(), e.to.x() - e.from.x()), length,
-                     std::max(radians(2.0), e.gap / length), trust(e.kind), e.gap});
+    lines.push_back({within_quarter(std::atan2(e.to.y() - e.from.y(), e.to.x() - e.from.x())),
+                     length, std::max(radians(2.0), e.gap / length), trust(e.kind), e.gap});
   }
   double best = 0.0;
   double best_score = -1.0;
@@ -137,10 +140,10 @@ double main_direction(const std::vector<OutlineEdge>& edges) {
     sum += e.trust * e.length * e.length * e.length * d;
     weight += e.trust * e.length * e.length * e.length;
   }
-  return quarter_difference(weight > 0.0 ? best + sum / weight : best, 0.0);
+  return within_quarter(weight > 0.0 ? best + sum / weight : best);
 }
 
-void guess_side(const std::vector<OutlineEdge>& edges, double direction, Side& side) {
+void guess_side(const std::vector<OutlineEdge>& edges, double direction, RectangleSide& side) {
   const Eigen::Vector2d normal = unit_vector(direction + side.turn);
   const Eigen::Vector2d along(-normal.y(), normal.x());
   std::vector<Facing> facing;

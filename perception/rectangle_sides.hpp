@@ -19,7 +19,7 @@ struct OutlineEdge {
 };
 
 /// One of the four sides. Position is the distance from the middle along the outward normal.
-struct Side {
+struct RectangleSide {
   double turn = 0.0;  ///< of the outward normal against the main direction: 0, 90, 180, 270 degrees
   double position = 0.0;         ///< [m] first guess
   double gap = 0.0;              ///< [m] width of the uncertainty
@@ -37,6 +37,6 @@ double main_direction(const std::vector<OutlineEdge>& edges);
 /// First guess of a side, whose `turn` is set: walking inwards from the outermost edge that faces
 /// this way until a tenth of the side is met, or three samples of true edge, but never past what
 /// has much of the area beyond it.
-void guess_side(const std::vector<OutlineEdge>& edges, double direction, Side& side);
+void guess_side(const std::vector<OutlineEdge>& edges, double direction, RectangleSide& side);
 
 }  // namespace scanchor

@@ -10,7 +10,7 @@ namespace {
 /// Rows of 20 samples 2 cm apart along x = 0.02 k; the side looks towards +x.
 struct Rows {
   RectangleEvidence evidence;
-  Side side;
+  RectangleSide side;
   Rows() {
     side.position = 0.01;
     side.gap = 0.02;

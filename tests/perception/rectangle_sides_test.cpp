@@ -39,7 +39,7 @@ TEST(MainDirection, ShadowsCountLittle) {
 
 TEST(GuessSide, LiesWhereTheEdgeLies) {
   for (int k = 0; k < 4; ++k) {
-    Side side;
+    RectangleSide side;
     side.turn = 0.5 * pi * k;
     guess_side(edges_of(box, 0.0), 0.0, side);
     const double expected[] = {2.0, 1.0, 0.0, 0.0};
@@ -52,7 +52,7 @@ TEST(GuessSide, LiesWhereTheEdgeLies) {
 
 TEST(GuessSide, ASpikeIsNoSide) {
   // 3 cm wide and 20 cm high: a fiftieth of the side, of a hundredth of the area.
-  Side side;
+  RectangleSide side;
   side.turn = 0.5 * pi;
   guess_side(
       edges_of({{0, 0}, {2, 0}, {2, 1}, {1.03, 1}, {1.03, 1.2}, {1, 1.2}, {1, 1}, {0, 1}}, 0.0),
@@ -63,7 +63,7 @@ TEST(GuessSide, ASpikeIsNoSide) {
 TEST(GuessSide, ATabBeyondALongEdgeIsNoSide) {
   // A twentieth of the side, 5 cm high: of three samples and more, but the long edge is the side.
   const Ring tab = {{0, 0}, {2, 0}, {2, 1}, {0.1, 1}, {0.1, 1.05}, {0, 1.05}};
-  Side side;
+  RectangleSide side;
   side.turn = 0.5 * pi;
   guess_side(edges_of(tab, 0.0), 0.0, side);
   EXPECT_NEAR(side.position, 1.0, 1e-9);
@@ -77,7 +77,7 @@ TEST(GuessSide, ATabBeyondALongEdgeIsNoSide) {
 TEST(GuessSide, AShadowIsCensored) {
   auto edges = edges_of(box, 0.0);
   edges[1].kind = EdgeKind::occlusion;
-  Side side;
+  RectangleSide side;
   guess_side(edges, 0.0, side);
   EXPECT_TRUE(side.censored);
   EXPECT_NEAR(side.position, 2.0, 0.03);
