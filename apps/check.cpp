@@ -16,7 +16,7 @@
 namespace scanchor::apps {
 namespace {
 
-struct Arguments : SuiteArguments {
+struct CheckArguments : SuiteArguments {
   std::string baseline;
   std::string junit;
   std::string markdown;
@@ -27,7 +27,7 @@ struct Arguments : SuiteArguments {
   GateOptions gate;
 };
 
-RunResult measured(const Suite& suite, const Arguments& arguments, int scenes) {
+RunResult measured(const Suite& suite, const CheckArguments& arguments, int scenes) {
   RunOptions options = run_options(arguments);
   options.scenes = scenes;
   Progress progress("scenes", 0, {.quiet = arguments.common.quiet || arguments.common.json});
@@ -43,7 +43,7 @@ std::filesystem::path pictures_beside(const std::string& baseline) {
   return std::filesystem::path(baseline).replace_extension(".pictures");
 }
 
-int check(Arguments& arguments) {
+int check(CheckArguments& arguments) {
   const Suite suite = load_suite(arguments);
   const Baseline baseline = read_baseline(arguments.baseline);
   const int available = static_cast<int>(baseline.run.rows.size());
@@ -76,7 +76,7 @@ std::string today() {
   return text;
 }
 
-int update(Arguments& arguments) {
+int update(CheckArguments& arguments) {
   const Suite suite = load_suite(arguments);
   RunResult run = measured(suite, arguments, arguments.scenes);
   Baseline next;
@@ -109,7 +109,7 @@ void add_check(CLI::App& root, ExitCodeSlot& code) {
       "Example:\n  scanchor check quick --baseline results/baselines/quick.json --junit gate.xml\n"
       "Exit codes: 0 not worse, 1 worse, 3 other data or protocol, 4 nothing measured, 5 "
       "inconclusive with --strict.");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CheckArguments>();
   add_suite_arguments(*verb, *arguments);
   verb->add_option("--baseline", arguments->baseline, "The stored run")
       ->required()
@@ -139,7 +139,7 @@ void add_baseline(CLI::App& root, ExitCodeSlot& code) {
   verb->footer(
       "Example:\n  scanchor baseline quick --baseline results/baselines/quick.json --reason "
       "\"first run of the new matcher\"");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CheckArguments>();
   add_suite_arguments(*verb, *arguments);
   verb->add_option("--baseline", arguments->baseline, "The stored run; made if absent")
       ->required()

@@ -14,7 +14,7 @@ namespace scanchor::apps {
 namespace fs = std::filesystem;
 namespace {
 
-struct Arguments {
+struct ExplainArguments {
   Common common;
   std::string folder;
   int entity = 0;
@@ -22,7 +22,7 @@ struct Arguments {
   std::string ontology;
 };
 
-int run(Arguments& arguments) {
+int run_explain(ExplainArguments& arguments) {
   const fs::path labels = fs::path(arguments.folder) / "labels.json";
   const Labelling labelling = labelling_from_json(read_json(labels), labels.string());
   Json json;
@@ -59,7 +59,7 @@ void add_explain(CLI::App& root, ExitCodeSlot& code) {
   verb->footer(
       "Examples:\n  scanchor explain scanchor-room 7\n  scanchor explain scanchor-room 7 --why-not "
       "desk");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ExplainArguments>();
   verb->add_option("folder", arguments->folder,
                    "What label or run wrote: labels.json and surfaces.json lie in it")
       ->required()
@@ -71,7 +71,7 @@ void add_explain(CLI::App& root, ExitCodeSlot& code) {
   verb->add_option("--ontology", arguments->ontology,
                    "Descriptions; default: those of labels.json");
   add_common(*verb, arguments->common, false);
-  verb->callback([arguments, &code] { code = run(*arguments); });
+  verb->callback([arguments, &code] { code = run_explain(*arguments); });
 }
 
 }  // namespace scanchor::apps

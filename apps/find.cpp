@@ -15,7 +15,7 @@ namespace scanchor::apps {
 namespace fs = std::filesystem;
 namespace {
 
-struct Arguments : ScanArguments {
+struct FindArguments : ScanArguments {
   std::string question;
 };
 
@@ -49,7 +49,7 @@ int exit_code(Answer::Status status) {
   }
 }
 
-int run(Arguments& arguments, bool ontology_given) {
+int run_find(FindArguments& arguments, bool ontology_given) {
   const ThreadLimit limit(arguments.common.threads);
   Labelled scene;
   const bool labelled = read_labelled(arguments.scan, scene);
@@ -87,13 +87,13 @@ void add_find(CLI::App& root, ExitCodeSlot& code) {
       "  scanchor find \"distance from the door to the nearest desk\" scanchor-room\n"
       "SCAN may be what label or run wrote: it is not labelled again.\n"
       "Exit codes: 0 answered, 4 not found, 5 ambiguous or not seen.");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<FindArguments>();
   verb->add_option("question", arguments->question, "In the words of the class files")
       ->required()
       ->type_name("TEXT");
   add_scan_arguments(*verb, *arguments, true);
   verb->callback(
-      [arguments, verb, &code] { code = run(*arguments, verb->count("--ontology") > 0); });
+      [arguments, verb, &code] { code = run_find(*arguments, verb->count("--ontology") > 0); });
 }
 
 }  // namespace scanchor::apps

@@ -20,7 +20,7 @@ namespace scanchor::apps {
 namespace fs = std::filesystem;
 namespace {
 
-struct Arguments {
+struct FitArguments {
   Common common;
   std::string suite;
   std::string ontology = "office";
@@ -51,7 +51,7 @@ std::vector<std::string> true_names(const Scan& scan, const Surfaces& surfaces) 
   return names;
 }
 
-int run(Arguments& arguments) {
+int run_fit(FitArguments& arguments) {
   const ThreadLimit limit(arguments.common.threads);
   OptionList list;
   list.add_group("perceive", arguments.perceive);
@@ -128,7 +128,7 @@ void add_fit(CLI::App& root, ExitCodeSlot& code) {
       "Example:\n  scanchor fit work-training --ontology office --out "
       "office.background.json\n"
       "Only rooms of the suite's training part are looked at.");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<FitArguments>();
   verb->add_option("suite", arguments->suite, "A suite by name or file")
       ->required()
       ->type_name("SUITE");
@@ -140,7 +140,7 @@ void add_fit(CLI::App& root, ExitCodeSlot& code) {
   verb->add_option("--scenes", arguments->scenes, "At most so many training rooms; 0: all")
       ->check(CLI::Range(0, 1000000));
   add_common(*verb, arguments->common);
-  verb->callback([arguments, &code] { code = run(*arguments); });
+  verb->callback([arguments, &code] { code = run_fit(*arguments); });
 }
 
 }  // namespace scanchor::apps

@@ -21,7 +21,7 @@ namespace scanchor::apps {
 namespace fs = std::filesystem;
 namespace {
 
-struct Arguments {
+struct GalleryArguments {
   Common common;
   std::string out = "gallery";
   std::string only;
@@ -77,7 +77,7 @@ PictureOptions small_picture(const std::string& title, int width, int height) {
   return options;
 }
 
-int run(const Arguments& arguments) {
+int run_gallery(const GalleryArguments& arguments) {
   const fs::path root = arguments.out;
   std::vector<std::string> names;
   Json json = Json::array();
@@ -126,14 +126,14 @@ void add_gallery(CLI::App& root, ExitCodeSlot& code) {
   verb->footer(
       "Examples:\n  scanchor gallery --out gallery\n"
       "  scanchor gallery --only \"pallet rack\" --seed 7 --out rack");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<GalleryArguments>();
   verb->add_option("--out", arguments->out, "Folder")->type_name("DIR")->capture_default_str();
   verb->add_option("--only", arguments->only, "One kind of furniture or family of rooms")
       ->type_name("NAME");
   verb->add_option("--seed", arguments->seed, "Of the furniture and the rooms")
       ->capture_default_str();
   add_common(*verb, arguments->common, false);
-  verb->callback([arguments, &code] { code = run(*arguments); });
+  verb->callback([arguments, &code] { code = run_gallery(*arguments); });
 }
 
 }  // namespace scanchor::apps

@@ -12,7 +12,7 @@
 namespace scanchor::apps {
 namespace {
 
-struct Arguments {
+struct GenerateArguments {
   Common common;
   std::string suite = "office";
   std::string out;
@@ -22,7 +22,7 @@ struct Arguments {
   DatasetOptions options;
 };
 
-int run(Arguments& arguments) {
+int run_generate(GenerateArguments& arguments) {
   Suite suite = read_suite(find_data_file("suites", arguments.suite, ".yaml"));
   if (arguments.scenes > 0) suite.scenes = arguments.scenes;
   if (arguments.seed > 0) suite.seed = arguments.seed;
@@ -77,7 +77,7 @@ void add_generate(CLI::App& root, ExitCodeSlot& code) {
   verb->footer(
       "Example:\n  scanchor generate office --scenes 100 --out data --pcd --set "
       "lidar.range_sigma=0.02");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<GenerateArguments>();
   verb->add_option("suite", arguments->suite,
                    "quick, office, storage, home, stress, or a YAML file")
       ->type_name("SUITE")
@@ -98,7 +98,7 @@ void add_generate(CLI::App& root, ExitCodeSlot& code) {
                  "Also PLY files with all truth as fields");
   verb->add_flag("--s3dis", arguments->options.formats.s3dis, "Also S3DIS-style text");
   add_common(*verb, arguments->common);
-  verb->callback([arguments, &code] { code = run(*arguments); });
+  verb->callback([arguments, &code] { code = run_generate(*arguments); });
 }
 
 }  // namespace scanchor::apps

@@ -16,7 +16,7 @@ namespace scanchor::apps {
 namespace fs = std::filesystem;
 namespace {
 
-struct Arguments : ScanArguments {
+struct LabelArguments : ScanArguments {
   std::string out;
   std::string points;
   bool pictures = true;
@@ -58,7 +58,7 @@ void print_entities(const Common& common, const Labelling& labelling,
   }
 }
 
-int run(Arguments& arguments) {
+int run_label(LabelArguments& arguments) {
   const ThreadLimit limit(arguments.common.threads);
   const Ontology ontology = find_ontology(arguments.ontology);
   const PointCloud cloud = load_scan(arguments);
@@ -103,7 +103,7 @@ void add_label(CLI::App& root, ExitCodeSlot& code) {
   auto* verb = root.add_subcommand("label", "Name the things in a real or simulated scan");
   verb->footer(
       "Example:\n  scanchor label room.pcd --up auto --ontology office --points labelled.ply");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<LabelArguments>();
   add_scan_arguments(*verb, *arguments, true);
   verb->add_option(
           "--out", arguments->out,
@@ -114,7 +114,7 @@ void add_label(CLI::App& root, ExitCodeSlot& code) {
           "Write the points in their order with the fields `label`, `instance`, `plane` (-1: none)")
       ->type_name("FILE");
   verb->add_flag("--pictures,!--no-pictures", arguments->pictures, "Draw the cloud and the labels");
-  verb->callback([arguments, &code] { code = run(*arguments); });
+  verb->callback([arguments, &code] { code = run_label(*arguments); });
 }
 
 }  // namespace scanchor::apps

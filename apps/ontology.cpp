@@ -18,7 +18,7 @@ namespace scanchor::apps {
 namespace fs = std::filesystem;
 namespace {
 
-struct Arguments {
+struct OntologyArguments {
   Common common;
   std::vector<std::string> files;
   std::string file;
@@ -41,7 +41,7 @@ Ontology load(const std::string& file) {
                          : read_ontology(path);
 }
 
-void write_or_print(const Arguments& arguments, const std::string& text) {
+void write_or_print(const OntologyArguments& arguments, const std::string& text) {
   if (arguments.out.empty()) {
     fmt::print("{}", text);
   } else {
@@ -50,7 +50,7 @@ void write_or_print(const Arguments& arguments, const std::string& text) {
   }
 }
 
-int format(const Arguments& arguments) {
+int format(const OntologyArguments& arguments) {
   Json json = Json::array();
   int differing = 0;
   for (const auto& file : arguments.files) {
@@ -73,7 +73,7 @@ int format(const Arguments& arguments) {
   return arguments.check && differing > 0 ? static_cast<int>(ExitCode::gate_failed) : 0;
 }
 
-int lint_files(const Arguments& arguments) {
+int lint_files(const OntologyArguments& arguments) {
   Json json = Json::array();
   std::size_t count = 0;
   for (const auto& file : arguments.files) {
@@ -98,7 +98,7 @@ int lint_files(const Arguments& arguments) {
   return count > 0 ? static_cast<int>(ExitCode::gate_failed) : 0;
 }
 
-int show(const Arguments& arguments) {
+int show(const OntologyArguments& arguments) {
   Ontology ontology = load(arguments.file);
   if (!arguments.class_name.empty()) {
     const int c = ontology.find(arguments.class_name, true);
@@ -131,7 +131,7 @@ int show(const Arguments& arguments) {
   return 0;
 }
 
-int convert(Arguments& arguments) {
+int convert(OntologyArguments& arguments) {
   if (arguments.to.empty()) {
     arguments.to = !arguments.out.empty() && fs::path(arguments.out).has_extension()
                        ? fs::path(arguments.out).extension().string().substr(1)
@@ -165,7 +165,7 @@ void add_ontology(CLI::App& root, ExitCodeSlot& code) {
       "Exit codes: 0 done, 1 format --check or lint found something, 3 a file is broken.");
   const auto add = [&](const char* name, const char* text, const char* footer, auto run,
                        bool several) {
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<OntologyArguments>();
     auto* sub = verb->add_subcommand(name, text);
     sub->footer(footer);
     if (several) {

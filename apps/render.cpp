@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "apps/scan_input.hpp"
+#include "apps/scan_pictures.hpp"
 #include "cloud/io.hpp"
 #include "reasoning/item.hpp"
 #include "results/image.hpp"
@@ -15,7 +16,7 @@ namespace scanchor::apps {
 namespace fs = std::filesystem;
 namespace {
 
-struct Arguments {
+struct RenderArguments {
   Common common;
   std::vector<std::string> inputs;
   std::string out = "picture.png";
@@ -56,18 +57,13 @@ Color color_of(const std::vector<std::pair<std::string, Color>>& colors, const s
              "known are: " + known);
 }
 
-/// Up as the reasoner had it becomes z.
-Eigen::Isometry3d upright(const Labelling& labelling) {
-  return Eigen::Isometry3d(levelling(labelling.up));
-}
-
 /// labels.json with the surfaces beside it.
 struct Labels {
   Surfaces surfaces;
   Labelling labelling;
   DrawLabelsOptions how;
 
-  Labels(const fs::path& input, const Arguments& arguments) {
+  Labels(const fs::path& input, const RenderArguments& arguments) {
     const fs::path beside = input.parent_path() / "surfaces.json";
     if (!fs::exists(beside))
       fail_data(beside.string(), "", "is not there",
@@ -88,7 +84,7 @@ bool is_surfaces(const fs::path& input) {
 }
 bool is_labels(const fs::path& input) { return input.filename().string().ends_with("labels.json"); }
 
-Image picture_of_file(const fs::path& input, const Arguments& arguments,
+Image picture_of_file(const fs::path& input, const RenderArguments& arguments,
                       const PictureOptions& options) {
   if (is_surfaces(input)) return picture_of_surfaces(read_surfaces(input), options);
   if (is_labels(input)) {
@@ -109,7 +105,7 @@ Image picture_of_file(const fs::path& input, const Arguments& arguments,
 }
 
 /// Surfaces or labels as paths.
-VectorPicture outlines_of_file(const fs::path& input, const Arguments& arguments,
+VectorPicture outlines_of_file(const fs::path& input, const RenderArguments& arguments,
                                const PictureOptions& options) {
   if (is_surfaces(input)) return outlines_of_surfaces(read_surfaces(input), options);
   if (!is_labels(input)) {
@@ -123,7 +119,7 @@ VectorPicture outlines_of_file(const fs::path& input, const Arguments& arguments
                             labels.how);
 }
 
-Image rooms_together(const Arguments& arguments) {
+Image rooms_together(const RenderArguments& arguments) {
   std::vector<Scene> scenes;
   for (const auto& input : arguments.inputs) scenes.push_back(read_scene(input));
   return picture_of_rooms(
@@ -131,7 +127,7 @@ Image rooms_together(const Arguments& arguments) {
       color_of(scene_colors(), arguments.color.empty() ? "class" : arguments.color, "a scene"));
 }
 
-int run(Arguments& arguments) {
+int run_render(RenderArguments& arguments) {
   OptionList list;
   list.add_group("render", arguments.picture.render);
   apply_settings(list, arguments.common);
@@ -192,7 +188,7 @@ void add_render(CLI::App& root, ExitCodeSlot& code) {
       "  scanchor render before/00/labels.json after/00/labels.json --title before --title after\n"
       "  scanchor render demo/00/labels.json --out labels.svg\n"
       "  scanchor render demo/*/scene.json --together --out floor.png");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RenderArguments>();
   verb->add_option("input", arguments->inputs,
                    "scene.json, surfaces.json, labels.json (beside surfaces.json), or a cloud "
                    "(PCD, PLY, XYZ, bin); several: side by side")
@@ -219,7 +215,7 @@ void add_render(CLI::App& root, ExitCodeSlot& code) {
       ->expected(1)
       ->take_all();
   add_common(*verb, arguments->common);
-  verb->callback([arguments, &code] { code = run(*arguments); });
+  verb->callback([arguments, &code] { code = run_render(*arguments); });
 }
 
 }  // namespace scanchor::apps

@@ -47,7 +47,7 @@ RoomResult run_room(const SceneTask& task, const Chain& chain, const fs::path& f
   watch.lap("shapes");
   const Labelling labelling = interpret(surfaces, scan.cloud, chain.ontology, chain.reason);
   watch.lap("reason");
-  Answer answer;
+  ScanAnswer answer;
   answer.points = predict_points(surfaces, labelling);
   answer.surfaces = &surfaces;
   answer.labelling = &labelling;

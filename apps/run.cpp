@@ -21,7 +21,7 @@ namespace scanchor::apps {
 namespace fs = std::filesystem;
 namespace {
 
-struct Arguments {
+struct RunArguments {
   Common common;
   std::string suite;
   std::string out = "scanchor-run";
@@ -36,7 +36,7 @@ struct Arguments {
 constexpr int demo_rooms = 3;
 
 /// Three offices where no suite is named; the flags override what a suite says.
-Suite chosen_suite(const Arguments& arguments) {
+Suite chosen_suite(const RunArguments& arguments) {
   Suite suite;
   if (arguments.suite.empty()) {
     suite.name = "demo";
@@ -85,7 +85,7 @@ void print_stages(const Common& common, const std::vector<RoomResult>& rooms) {
   say(common, "\nTimes per room [ms, median]: " + line + ".");
 }
 
-int run(Arguments& arguments) {
+int run_run(RunArguments& arguments) {
   const ThreadLimit limit(arguments.common.threads);
   Suite suite = chosen_suite(arguments);
   Chain chain;
@@ -169,7 +169,7 @@ void add_run(CLI::App& root, ExitCodeSlot& code) {
   verb->footer(
       "Examples:\n  scanchor run --scenes 3 --out demo\n  scanchor run office --scenes 10 --set "
       "lidar.range_sigma=0.02");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RunArguments>();
   verb->add_option("suite", arguments->suite, "A suite by name or file; without one: three offices")
       ->type_name("SUITE");
   verb->add_option("--out", arguments->out, "Folder for everything that is written")
@@ -186,7 +186,7 @@ void add_run(CLI::App& root, ExitCodeSlot& code) {
   verb->add_flag("--pictures,!--no-pictures", arguments->pictures,
                  "Draw scene, cloud, planes and labels");
   add_common(*verb, arguments->common);
-  verb->callback([arguments, &code] { code = run(*arguments); });
+  verb->callback([arguments, &code] { code = run_run(*arguments); });
 }
 
 }  // namespace scanchor::apps

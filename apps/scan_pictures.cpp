@@ -8,11 +8,6 @@ namespace scanchor::apps {
 namespace fs = std::filesystem;
 namespace {
 
-/// Turns a cloud so that the up direction that reasoning found points up in the picture.
-Eigen::Isometry3d upright(const Labelling& labelling) {
-  return Eigen::Isometry3d(levelling(labelling.up));
-}
-
 PictureOptions titled(const std::string& title) {
   PictureOptions options;
   options.title = title;
@@ -20,6 +15,10 @@ PictureOptions titled(const std::string& title) {
 }
 
 }  // namespace
+
+Eigen::Isometry3d upright(const Labelling& labelling) {
+  return Eigen::Isometry3d(levelling(labelling.up));
+}
 
 std::vector<fs::path> draw_scan(const fs::path& folder, const PointCloud& cloud,
                                 const Surfaces& surfaces, const Labelling& labelling) {

@@ -12,6 +12,9 @@
 
 namespace scanchor::apps {
 
+/// Turns a cloud so that the up direction that reasoning found points up in the picture.
+Eigen::Isometry3d upright(const Labelling& labelling);
+
 /// Draws cloud.png (by height), planes.png (by plane) and labels.png into the folder; returns what
 /// it wrote.
 std::vector<std::filesystem::path> draw_scan(const std::filesystem::path& folder,

@@ -17,7 +17,7 @@
 namespace scanchor::apps {
 namespace {
 
-struct Arguments : SuiteArguments {
+struct ScoreArguments : SuiteArguments {
   std::string truth;
   std::string predictions;
   std::string label_map;
@@ -28,7 +28,7 @@ struct Arguments : SuiteArguments {
 };
 
 /// What answers: a program, or methods by name.
-std::vector<Method> chosen_methods(const Arguments& arguments) {
+std::vector<Method> chosen_methods(const ScoreArguments& arguments) {
   if (!arguments.external.command.empty()) return {external_method(arguments.external)};
   std::vector<Method> methods;
   for (const auto& name : arguments.methods) methods.push_back(load_method(arguments, name));
@@ -36,8 +36,8 @@ std::vector<Method> chosen_methods(const Arguments& arguments) {
 }
 
 /// Every scan of the data set, or of one part of it, answered by a method.
-MethodScore score_dataset(const Dataset& dataset, const Method& method, const Arguments& arguments,
-                          const Protocol& protocol) {
+MethodScore score_dataset(const Dataset& dataset, const Method& method,
+                          const ScoreArguments& arguments, const Protocol& protocol) {
   MethodScore scored;
   scored.name = method.name;
   std::size_t total = 0;
@@ -55,7 +55,7 @@ MethodScore score_dataset(const Dataset& dataset, const Method& method, const Ar
       try {
         const MethodAnswer given = method.answer(scan, name);
         scored.seconds += given.perceive_seconds + given.reason_seconds;
-        Answer answer;
+        ScanAnswer answer;
         answer.points = given.points;
         answer.surfaces = given.surfaces ? &*given.surfaces : nullptr;
         answer.labelling = given.labelling ? &*given.labelling : nullptr;
@@ -74,7 +74,7 @@ MethodScore score_dataset(const Dataset& dataset, const Method& method, const Ar
 
 /// Prediction files laid beside the data set. A scan without one is scored as all missed, and
 /// listed.
-MethodScore score_files(const Dataset& dataset, const Arguments& arguments,
+MethodScore score_files(const Dataset& dataset, const ScoreArguments& arguments,
                         const Protocol& protocol) {
   PredictionOptions options;
   if (!arguments.label_map.empty()) options.label_map = read_label_map(arguments.label_map);
@@ -107,7 +107,7 @@ MethodScore score_files(const Dataset& dataset, const Arguments& arguments,
 }
 
 /// A suite is made as it is scored: nothing is on disk.
-MethodScore score_suite(const Suite& suite, const Method& method, const Arguments& arguments) {
+MethodScore score_suite(const Suite& suite, const Method& method, const ScoreArguments& arguments) {
   RunOptions options = run_options(arguments);
   Progress progress(method.name + ", scenes", 0,
                     {.quiet = arguments.common.quiet || arguments.common.json});
@@ -126,7 +126,7 @@ MethodScore score_suite(const Suite& suite, const Method& method, const Argument
                       ms(t.score), run.peak_memory_mb)};
 }
 
-std::vector<MethodScore> score_all(Arguments& arguments, const Protocol& protocol) {
+std::vector<MethodScore> score_all(ScoreArguments& arguments, const Protocol& protocol) {
   std::vector<MethodScore> scored;
   if (!arguments.truth.empty()) {
     const Dataset dataset = read_dataset(arguments.truth);
@@ -146,7 +146,7 @@ std::vector<MethodScore> score_all(Arguments& arguments, const Protocol& protoco
   return scored;
 }
 
-void check_arguments(const Arguments& arguments) {
+void check_arguments(const ScoreArguments& arguments) {
   if (arguments.truth.empty() == arguments.suite.empty())
     fail_usage("score wants either --truth or --suite");
   const int answers = (arguments.predictions.empty() ? 0 : 1) +
@@ -165,7 +165,7 @@ Json to_json(const std::vector<MethodScore>& scored, const Protocol& protocol) {
   return json;
 }
 
-int run(Arguments& arguments) {
+int run_score(ScoreArguments& arguments) {
   check_arguments(arguments);
   const ThreadLimit limit(arguments.common.threads);
   const Protocol protocol = find_protocol(arguments.protocol);
@@ -212,7 +212,7 @@ void add_score(CLI::App& root, ExitCodeSlot& code) {
       "  scanchor score --truth data --pipeline 'mypipeline {scan} {out}' --time-limit 30\n"
       "  scanchor score --suite office --method default --plots plots\n"
       "  scanchor score --suite quick --method default --method paper --out scores.json");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ScoreArguments>();
   arguments->suite.clear();
   arguments->split.clear();
   verb->add_option("--truth", arguments->truth, "A data set on disk")->type_name("DIR");
@@ -256,7 +256,7 @@ void add_score(CLI::App& root, ExitCodeSlot& code) {
                    "Write reliability, risk, confusion and planes as SVG and PNG")
       ->type_name("DIR");
   add_common(*verb, arguments->common);
-  verb->callback([arguments, &code] { code = run(*arguments); });
+  verb->callback([arguments, &code] { code = run_score(*arguments); });
 }
 
 }  // namespace scanchor::apps

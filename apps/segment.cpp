@@ -9,12 +9,12 @@
 namespace scanchor::apps {
 namespace {
 
-struct Arguments : ScanArguments {
+struct SegmentArguments : ScanArguments {
   std::string points;
   std::string surfaces;
 };
 
-int run(Arguments& arguments) {
+int run_segment(SegmentArguments& arguments) {
   const ThreadLimit limit(arguments.common.threads);
   const PointCloud cloud = load_scan(arguments);
   const Surfaces surfaces = perceive(cloud, arguments.perceive);
@@ -47,13 +47,13 @@ void add_segment(CLI::App& root, ExitCodeSlot& code) {
   auto* verb = root.add_subcommand("segment", "Find the planar surfaces of a scan");
   verb->footer(
       "Example:\n  scanchor segment room.pcd --points planes.ply --surfaces surfaces.json");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<SegmentArguments>();
   add_scan_arguments(*verb, *arguments, false);
   verb->add_option("--points", arguments->points,
                    "Write the points in their order with the field `plane` (-1: none)")
       ->type_name("FILE");
   verb->add_option("--surfaces", arguments->surfaces, "Write surfaces.json")->type_name("FILE");
-  verb->callback([arguments, &code] { code = run(*arguments); });
+  verb->callback([arguments, &code] { code = run_segment(*arguments); });
 }
 
 }  // namespace scanchor::apps

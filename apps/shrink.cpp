@@ -14,7 +14,7 @@
 namespace scanchor::apps {
 namespace {
 
-struct Arguments : SuiteArguments {
+struct ShrinkArguments : SuiteArguments {
   std::string scene;
   int scan = 0;
   std::string thing;
@@ -58,7 +58,7 @@ const ThingResult& chosen_thing(const ObjectSummary& summary, const std::string&
   return *best;
 }
 
-int run(Arguments& arguments) {
+int run_shrink(ShrinkArguments& arguments) {
   const Suite suite = load_suite(arguments);
   const Method method = load_method(arguments);
   const Protocol protocol = find_protocol(arguments.protocol);
@@ -115,7 +115,7 @@ void add_shrink(CLI::App& root, ExitCodeSlot& code) {
   auto* verb = root.add_subcommand(
       "shrink", "The smallest scene and the least noise on which a thing is still missed");
   verb->footer("Example:\n  scanchor shrink quick --scene 000003 --thing 'desk 12' --out case");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ShrinkArguments>();
   add_suite_arguments(*verb, *arguments);
   verb->add_option("--scene", arguments->scene, "Of the suite, by name or number")
       ->required()
@@ -128,7 +128,7 @@ void add_shrink(CLI::App& root, ExitCodeSlot& code) {
   verb->add_option("--out", arguments->out, "Folder of the case")
       ->type_name("DIR")
       ->capture_default_str();
-  verb->callback([arguments, &code] { code = run(*arguments); });
+  verb->callback([arguments, &code] { code = run_shrink(*arguments); });
 }
 
 }  // namespace scanchor::apps

@@ -18,7 +18,7 @@
 namespace scanchor::apps {
 namespace {
 
-struct Arguments : SuiteArguments {
+struct SweepArguments : SuiteArguments {
   std::vector<std::string> vary;
   std::vector<std::string> against;
   std::string out = "scanchor-sweep";
@@ -83,7 +83,7 @@ Json breaking_json(const std::vector<BreakingPoint>& points, const std::string& 
 }
 
 /// --breaking: one metric, or "classes" for F1 of every class that is often enough there.
-std::vector<BreakingPoint> find_breaking_points(const Arguments& arguments, const Suite& suite,
+std::vector<BreakingPoint> find_breaking_points(const SweepArguments& arguments, const Suite& suite,
                                                 const Axis& axis, const PointRunner& runner) {
   std::vector<std::string> names = {arguments.breaking};
   if (arguments.breaking == "classes")
@@ -107,7 +107,7 @@ Json ranking_json(const std::vector<EffectCost>& costs) {
 }
 
 /// --rank: each option from its first to its last value while all else stays.
-int run_ranking(const Arguments& arguments, const Suite& suite, const std::vector<Axis>& axes,
+int run_ranking(const SweepArguments& arguments, const Suite& suite, const std::vector<Axis>& axes,
                 const SweepOptions& options, const Method& method) {
   Progress progress("runs", 2 * axes.size(),
                     {.quiet = arguments.common.quiet || arguments.common.json});
@@ -137,7 +137,7 @@ int run_ranking(const Arguments& arguments, const Suite& suite, const std::vecto
   return 0;
 }
 
-void print_sweep(const Arguments& arguments, const SweepResult& result,
+void print_sweep(const SweepArguments& arguments, const SweepResult& result,
                  const std::vector<std::string>& metrics) {
   std::vector<std::string> header;
   for (const auto& axis : result.axes) header.push_back(axis.option);
@@ -154,7 +154,7 @@ void print_sweep(const Arguments& arguments, const SweepResult& result,
 }
 
 /// One sweep a method, over the same scans.
-std::vector<SweepResult> sweep_methods(const Arguments& arguments, const Suite& suite,
+std::vector<SweepResult> sweep_methods(const SweepArguments& arguments, const Suite& suite,
                                        const std::vector<Axis>& axes, const SweepOptions& options) {
   std::vector<std::string> names = {arguments.method};
   names.insert(names.end(), arguments.against.begin(), arguments.against.end());
@@ -175,7 +175,7 @@ std::vector<SweepResult> sweep_methods(const Arguments& arguments, const Suite& 
   return results;
 }
 
-int run_sweep(Arguments& arguments) {
+int run_sweep(SweepArguments& arguments) {
   const Suite suite = load_suite(arguments);
   std::vector<Axis> axes;
   for (const auto& text : arguments.vary) axes.push_back(parse_axis(text));
@@ -267,7 +267,7 @@ void add_sweep(CLI::App& root, ExitCodeSlot& code) {
       "--out map\n"
       "  scanchor sweep quick --vary lidar.range_sigma=0,0.03 --vary lidar.loss=0,0.3 --rank "
       "objects.f1");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<SweepArguments>();
   add_suite_arguments(*verb, *arguments);
   verb->add_option("--vary", arguments->vary,
                    "option=a..b, option=a..b/n or option=a,b,c (repeatable: all combinations)")

@@ -65,5 +65,6 @@ std::string text_records(const PointCloud& cloud, const std::vector<OutColumn>& 
 /// An unusable quaternion: false.
 std::string pose_text(const Eigen::Isometry3d& pose);
 bool parse_pose(std::string_view text, Eigen::Isometry3d& pose);
+inline constexpr std::string_view pose_comment = "sensor_pose";
 
 }  // namespace scanchor

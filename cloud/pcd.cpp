@@ -22,9 +22,8 @@ constexpr std::string_view keywords[] = {"VERSION",   "FIELDS", "COLUMNS", "SIZE
                                          "VIEWPOINT", "POINTS", "DATA"};
 /// The longest descriptors that PCL keeps in clouds (SHOTColor, 1344 values) fit three times.
 constexpr std::size_t greatest_values = 4096;
-constexpr std::string_view pose_comment = "sensor_pose";
 
-struct Header {
+struct PcdHeader {
   std::vector<std::string> names;
   std::vector<std::uint64_t> sizes, counts;
   std::vector<std::string> types;
@@ -34,8 +33,6 @@ struct Header {
   std::size_t lines = 0;
   std::string_view body;
 };
-
-std::string line_place(std::size_t line) { return fmt::format("line {}", line); }
 
 std::uint64_t whole(std::string_view token, std::string_view keyword, const std::string& file,
                     std::size_t line) {
@@ -47,8 +44,8 @@ std::uint64_t whole(std::string_view token, std::string_view keyword, const std:
   return value;
 }
 
-Header read_header(std::string_view content, const std::string& file) {
-  Header header;
+PcdHeader read_header(std::string_view content, const std::string& file) {
+  PcdHeader header;
   LineReader lines(content);
   std::string_view line;
   while (header.data.empty()) {
@@ -125,7 +122,7 @@ struct FileField {
   [[nodiscard]] std::size_t bytes() const { return scalar_size(type) * count; }
 };
 
-std::vector<FileField> fields_of(Header& header, const std::string& file) {
+std::vector<FileField> fields_of(PcdHeader& header, const std::string& file) {
   const std::size_t n = header.names.size();
   if (n == 0) fail_data(file, "header", "has no FIELDS line");
   if (header.sizes.empty() && header.types.empty()) {  // version .5 knew floats only
@@ -162,7 +159,7 @@ std::vector<FileField> fields_of(Header& header, const std::string& file) {
   return fields;
 }
 
-std::uint64_t count_of(const Header& header, const std::string& file) {
+std::uint64_t count_of(const PcdHeader& header, const std::string& file) {
   if (!header.points && !header.width) fail_data(file, "header", "has neither POINTS nor WIDTH");
   if (!header.width) return *header.points;
   const std::uint64_t height = header.height.value_or(1);
@@ -202,7 +199,7 @@ std::vector<Column> lay_out(const std::vector<FileField>& fields, bool by_column
 }
 
 /// Text to records in the machine's own byte order.
-std::string records_from_text(const Header& header, const std::vector<FileField>& fields,
+std::string records_from_text(const PcdHeader& header, const std::vector<FileField>& fields,
                               std::size_t count, std::size_t record, const std::string& file) {
   std::size_t values = 0;
   for (const auto& field : fields) values += field.count;
@@ -300,7 +297,7 @@ bool looks_like_pcd(std::string_view content) {
 }
 
 PointCloud parse_pcd(std::string_view content, const std::string& file) {
-  Header header = read_header(content, file);
+  PcdHeader header = read_header(content, file);
   const std::vector<FileField> fields = fields_of(header, file);
   const std::uint64_t points = count_of(header, file);
   std::size_t record = 0, record_without_padding = 0;

@@ -15,8 +15,6 @@
 namespace scanchor {
 namespace {
 
-constexpr std::string_view pose_comment = "sensor_pose";
-
 struct Property {
   std::string name;
   ScalarType type = ScalarType::f32;
@@ -39,7 +37,7 @@ struct Element {
   }
 };
 
-struct Header {
+struct PlyHeader {
   PlyData data = PlyData::ascii;
   std::vector<Element> elements;
   std::vector<Eigen::Isometry3d> poses;
@@ -47,8 +45,6 @@ struct Header {
   std::size_t lines = 0;
   std::string_view body;
 };
-
-std::string line_place(std::size_t line) { return fmt::format("line {}", line); }
 
 std::optional<std::uint64_t> whole(std::string_view token) {
   std::uint64_t value = 0;
@@ -76,8 +72,8 @@ class HeaderReader {
  public:
   HeaderReader(std::string_view content, const std::string& file) : lines_(content), file_(file) {}
 
-  Header read() {
-    Header header;
+  PlyHeader read() {
+    PlyHeader header;
     std::string_view line;
     if (!lines_.next(line) || line != "ply") fail("a PLY file begins with the line 'ply'");
     bool format = false;
@@ -152,7 +148,7 @@ class HeaderReader {
     return property;
   }
 
-  static void remark(std::string_view rest, Header& header) {
+  static void remark(std::string_view rest, PlyHeader& header) {
     const std::string_view key = next_token(rest);
     Eigen::Isometry3d pose;
     if (key == pose_comment && parse_pose(rest, pose))
@@ -255,7 +251,7 @@ class BinaryBody {
 /// Takes the records of one ascii element; one record a line.
 class TextBody {
  public:
-  TextBody(const Header& header, const std::string& file)
+  TextBody(const PlyHeader& header, const std::string& file)
       : lines_(header.body, header.lines + 1), file_(file) {}
 
   void read(const Element& element, std::string* keep) {
@@ -351,7 +347,7 @@ void swap_records(std::string& bytes, const std::vector<OutColumn>& columns) {
 }  // namespace
 
 PointCloud parse_ply(std::string_view content, const std::string& file) {
-  const Header header = HeaderReader(content, file).read();
+  const PlyHeader header = HeaderReader(content, file).read();
   const auto vertex = std::find_if(header.elements.begin(), header.elements.end(),
                                    [](const Element& e) { return e.name == "vertex"; });
   if (vertex == header.elements.end()) fail_data(file, "header", "has no element 'vertex'");

@@ -26,4 +26,6 @@ bool LineReader::next(std::string_view& line) {
   return true;
 }
 
+std::string line_place(std::size_t line) { return "line " + std::to_string(line); }
+
 }  // namespace scanchor

@@ -2,6 +2,7 @@
 // Lines and tokens of a text in memory, without copies.
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace scanchor {
@@ -27,5 +28,8 @@ class LineReader {
   std::string_view rest_;
   std::size_t line_;
 };
+
+/// Where in a file a fault lies.
+std::string line_place(std::size_t line);
 
 }  // namespace scanchor

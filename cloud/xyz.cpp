@@ -14,7 +14,6 @@
 namespace scanchor {
 namespace {
 
-constexpr std::string_view pose_comment = "sensor_pose";
 constexpr std::pair<std::string_view, ScalarType> type_names[] = {
     {"float32", ScalarType::f32}, {"float64", ScalarType::f64}, {"int32", ScalarType::i32},
     {"uint32", ScalarType::u32},  {"uint16", ScalarType::u16},  {"uint8", ScalarType::u8}};

@@ -1,6 +1,7 @@
 #include "core/text.hpp"
 
 #include <algorithm>
+#include <charconv>
 
 namespace scanchor {
 
@@ -39,6 +40,12 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& ca
   std::string line = "known are: ";
   for (std::size_t i = 0; i < candidates.size(); ++i) line += (i == 0 ? "" : ", ") + candidates[i];
   return line;
+}
+
+std::string shortest_text(double value) {
+  char text[40];
+  const auto end = std::to_chars(text, text + sizeof text, value);
+  return {text, end.ptr};
 }
 
 }  // namespace scanchor

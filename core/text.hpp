@@ -19,4 +19,7 @@ std::optional<std::string> nearest_word(std::string_view word,
 /// "did you mean 'X'?" or, where nothing is near, "known are: A, B, C".
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates);
 
+/// The shortest text that is read back as the same number.
+std::string shortest_text(double value);
+
 }  // namespace scanchor

@@ -179,7 +179,7 @@ BlameResult blame(const Suite& suite, const PerceiveOptions& perceive_options,
         const Scan clean = perfect_scan(scan);
         const ScanTruth truth = truth_of(clean, &made.scene, options.protocol);
         for (std::size_t s = 0; s < std::size(stages); ++s) {
-          Answer answer;
+          ScanAnswer answer;
           answer.described = method.described;
           MethodAnswer said;
           if (stages[s] == PerfectUpTo::nothing) said = method.answer(scan, tasks[t].name);

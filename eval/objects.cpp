@@ -6,13 +6,10 @@
 #include <map>
 
 #include "eval/segments.hpp"
+#include "eval/statistics.hpp"
 
 namespace scanchor {
 namespace {
-
-double ratio(std::int64_t part, std::int64_t whole) {
-  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
-}
 
 std::vector<ThingResult> list_things(const Segments& segments, const ScanTruth& truth,
                                      const ClassRules& rules,
@@ -59,7 +56,7 @@ void lay_claims(const Segments& segments, const Protocol& protocol,
   }
   for (std::size_t p = 0; p < claims.size(); ++p) {
     const auto& segment = segments.predicted[p];
-    claims[p].purity = ratio(most[p], segment.points - segment.void_points);
+    claims[p].purity = ratio_of(most[p], segment.points - segment.void_points);
     if (claims[p].purity <= protocol.object_purity) claims[p].thing = -1;
   }
 }
@@ -80,14 +77,14 @@ void match(const Segments& segments, const Protocol& protocol, std::vector<Thing
     }
     claim.status = ClaimStatus::repeated;
     if (thing.status == ThingStatus::ignored ||
-        ratio(overlap.points, thing.points) < protocol.object_coverage)
+        ratio_of(overlap.points, thing.points) < protocol.object_coverage)
       continue;
     const bool surer = overlap.points == best[t] &&
                        claim.confidence > claims[static_cast<std::size_t>(thing.claim)].confidence;
     if (overlap.points < best[t] || (overlap.points == best[t] && !surer)) continue;
     best[t] = overlap.points;
     thing.claim = overlap.predicted;
-    thing.coverage = ratio(overlap.points, thing.points);
+    thing.coverage = ratio_of(overlap.points, thing.points);
   }
   for (auto& thing : things) {
     if (thing.claim < 0) continue;
@@ -113,9 +110,9 @@ void match(const Segments& segments, const Protocol& protocol, std::vector<Thing
 
 }  // namespace
 
-double ObjectCounts::precision() const { return ratio(found, claims()); }
-double ObjectCounts::recall() const { return ratio(found, truths); }
-double ObjectCounts::f1() const { return ratio(2 * found, claims() + truths); }
+double ObjectCounts::precision() const { return ratio_of(found, claims()); }
+double ObjectCounts::recall() const { return ratio_of(found, truths); }
+double ObjectCounts::f1() const { return ratio_of(2 * found, claims() + truths); }
 
 void ObjectCounts::add(const ObjectCounts& other) {
   truths += other.truths;

@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <tuple>
 
+#include "eval/statistics.hpp"
+
 namespace scanchor {
 namespace {
 
 auto key(const NamedRelation& fact) { return std::tie(fact.relation, fact.a, fact.b); }
-
-double ratio(std::int64_t part, std::int64_t whole) {
-  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
-}
 
 // One fact a pair; of several claims the surest.
 void keep_one_each(std::vector<NamedRelation>& facts) {
@@ -24,8 +22,8 @@ void keep_one_each(std::vector<NamedRelation>& facts) {
 
 }  // namespace
 
-double RelationCounts::precision() const { return ratio(right, right + wrong); }
-double RelationCounts::recall() const { return ratio(right, right + missed); }
+double RelationCounts::precision() const { return ratio_of(right, right + wrong); }
+double RelationCounts::recall() const { return ratio_of(right, right + missed); }
 
 void RelationCounts::add(const RelationCounts& other) {
   right += other.right;

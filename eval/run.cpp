@@ -61,7 +61,7 @@ SceneRow run_scene(const SceneTask& task, int scans, const Method& method,
     row.times.reason += said.reason_seconds;
     row.times.perceive += said.perceive_seconds > 0 ? said.perceive_seconds : spent;
     if (cause.empty()) {
-      Answer answer;
+      ScanAnswer answer;
       answer.points = std::move(said.points);
       answer.surfaces = said.surfaces ? &*said.surfaces : nullptr;
       answer.labelling = said.labelling ? &*said.labelling : nullptr;

@@ -100,7 +100,7 @@ void require_comparable(const Score& a, const Score& b) {
   }
 }
 
-Score score_scan(const Scan& scan, const Scene* scene, const Answer& answer,
+Score score_scan(const Scan& scan, const Scene* scene, const ScanAnswer& answer,
                  const Protocol& protocol, const std::vector<NamedRelation>& relations,
                  ObjectSummary* details) {
   PointPrediction p = answer.points;
@@ -146,7 +146,7 @@ Score score_scan(const Scan& scan, const Scene* scene, const Answer& answer,
 
 Score score_scan(const Scan& scan, const Scene* scene, const PointPrediction& prediction,
                  const Protocol& protocol) {
-  Answer answer;
+  ScanAnswer answer;
   answer.points = prediction;
   return score_scan(scan, scene, answer, protocol);
 }

@@ -42,7 +42,7 @@ struct Score {
 };
 
 /// An answer to a scan. Only `points` is needed; the others add geometry, calibration and groups.
-struct Answer {
+struct ScanAnswer {
   PointPrediction points;
   const Surfaces* surfaces = nullptr;
   const Labelling* labelling = nullptr;
@@ -51,11 +51,11 @@ struct Answer {
 };
 
 /// Holds an answer against the truth. `scene` may be null; `relations`: true relations that
-/// Answer::relations is held against, empty: those between planes are scored (plane_relations),
+/// ScanAnswer::relations is held against, empty: those between planes are scored (plane_relations),
 /// where the answer has surfaces and a labelling. `details` may be null. Throws Error(bad_data)
 /// where the answer has another number of points than the scan, or says what cannot be (NaN, class
 /// that is none).
-Score score_scan(const Scan& scan, const Scene* scene, const Answer& answer,
+Score score_scan(const Scan& scan, const Scene* scene, const ScanAnswer& answer,
                  const Protocol& protocol, const std::vector<NamedRelation>& relations = {},
                  ObjectSummary* details = nullptr);
 Score score_scan(const Scan& scan, const Scene* scene, const PointPrediction& prediction,

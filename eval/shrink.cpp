@@ -1,10 +1,10 @@
 #include "eval/shrink.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace scanchor {
 namespace {
@@ -15,12 +15,6 @@ Set without(const Set& set, std::size_t begin, std::size_t end) {
   Set rest(set.begin(), set.begin() + static_cast<std::ptrdiff_t>(begin));
   rest.insert(rest.end(), set.begin() + static_cast<std::ptrdiff_t>(end), set.end());
   return rest;
-}
-
-std::string number(double value) {
-  char text[40];
-  const auto end = std::to_chars(text, text + sizeof text, value);
-  return {text, end.ptr};
 }
 
 // Effects that a scan does without: numbers that scale noise. Geometry of the sweep is none of
@@ -141,7 +135,8 @@ ShrinkResult shrink_case(const FailingCase& start,
       for (double value = first / 2; value >= first / 16 && try_value(value);) value /= 2;
     }
     if (best < first)
-      result.steps.push_back({option.name + " " + number(first) + " -> " + number(best)});
+      result.steps.push_back(
+          {option.name + " " + shortest_text(first) + " -> " + shortest_text(best)});
   }
   return result;
 }

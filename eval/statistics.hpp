@@ -26,6 +26,11 @@ double pooled_difference(const PairedCounts& counts);
 /// The same of scene i alone.
 double scene_difference(const PairedCounts& counts, std::size_t scene);
 
+/// Of counts; 0 of nothing.
+inline double ratio_of(std::int64_t part, std::int64_t whole) {
+  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
+}
+
 struct Interval {
   double low = 0.0, high = 0.0;
 };

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "eval/gate.hpp"
 
 namespace scanchor {
@@ -94,9 +95,7 @@ Suite with_options(const Suite& suite, const std::vector<std::pair<std::string, 
   OptionList list;
   changed.describe(list);
   for (const auto& [name, value] : values) {
-    char text[40];
-    const auto end = std::to_chars(text, text + sizeof text, value);
-    list.set(name, std::string_view(text, static_cast<std::size_t>(end.ptr - text)));
+    list.set(name, shortest_text(value));
     // An option that the suite draws from scene to scene is now the same in all.
     std::erase_if(changed.vary, [&](const Variation& v) { return v.option == name; });
   }

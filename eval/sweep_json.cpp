@@ -1,21 +1,10 @@
-#include <charconv>
-
 #include "core/file.hpp"
 #include "core/json.hpp"
+#include "core/text.hpp"
 #include "eval/gate.hpp"
 #include "eval/sweep.hpp"
 
 namespace scanchor {
-namespace {
-
-std::string number(double value) {
-  char text[40];
-  const auto end = std::to_chars(text, text + sizeof text, value);
-  return {text, end.ptr};
-}
-
-}  // namespace
-
 PointRunner kept_runs(const Method& method, const SweepOptions& options) {
   if (!options.folder.empty()) make_folder(options.folder);
   return [=](const Suite& point) {
@@ -103,11 +92,11 @@ std::string sweep_to_csv(const SweepResult& result) {
   }
   text += "\n";
   for (const auto& point : result.points) {
-    for (const double value : point.values) text += number(value) + ",";
+    for (const double value : point.values) text += shortest_text(value) + ",";
     text += std::to_string(point.run.rows.size());
     for (const auto& [name, interval] : point.intervals) {
-      text += "," + number(value_of(point.run, name)) + "," + number(interval.low) + "," +
-              number(interval.high);
+      text += "," + shortest_text(value_of(point.run, name)) + "," + shortest_text(interval.low) +
+              "," + shortest_text(interval.high);
     }
     text += "\n";
   }

@@ -10,7 +10,7 @@
 namespace scanchor {
 namespace {
 
-constexpr std::size_t block = 8192;  // points a task
+constexpr std::size_t points_a_task = 8192;
 
 // A point on its way to its place.
 struct Record {
@@ -23,11 +23,11 @@ struct Record {
 // of all: for sums whose order does not matter.
 template <class Sum, class Add>
 Sum sum_of_blocks(std::size_t n, const Sum& zero, const Add& add) {
-  std::vector<Sum> sums((n + block - 1) / block, zero);
-  parallel_blocks(n, block, [&](std::size_t begin, std::size_t end) {
+  std::vector<Sum> sums((n + points_a_task - 1) / points_a_task, zero);
+  parallel_blocks(n, points_a_task, [&](std::size_t begin, std::size_t end) {
     Sum sum = zero;
     add(sum, begin, end);
-    sums[begin / block] = sum;
+    sums[begin / points_a_task] = sum;
   });
   Sum total = zero;
   for (const auto& sum : sums) total += sum;
@@ -153,7 +153,7 @@ void sort_cell(Record* first, std::size_t n, int bits, Record* scratch) {
 void sort_records(std::vector<Record>& records) {
   constexpr int top_bits = 12, shift = 3 * CanonicalCloud::levels - top_bits;
   constexpr std::size_t cells = 1U << top_bits;
-  const std::size_t n = records.size(), blocks = (n + block - 1) / block;
+  const std::size_t n = records.size(), blocks = (n + points_a_task - 1) / points_a_task;
   std::vector<std::uint32_t> start(cells + 1, 0);
   {
     std::vector<Record> scattered(n);
@@ -217,7 +217,7 @@ CanonicalCloud canonical_cloud(const std::vector<Eigen::Vector3d>& points,
   // A little larger than the box, so that the highest coordinate falls inside.
   cloud.side = std::max((high - low).maxCoeff() * 1.0001F, 1e-6F);
   const float to_cell = 65536.0F / cloud.side;
-  parallel_blocks(n, block, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(n, points_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       Record& p = records[k];
       p.code = spread_bits(static_cast<std::uint32_t>((p.x - cloud.low.x()) * to_cell)) << 2 |
@@ -253,7 +253,7 @@ CanonicalCloud canonical_cloud(const std::vector<Eigen::Vector3d>& points,
 
 void see_from(const Eigen::Vector3d& sensor, CanonicalCloud& cloud) {
   const Eigen::Vector3f at = sensor.cast<float>();
-  parallel_blocks(cloud.size(), block, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(cloud.size(), points_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       cloud.inverse_range[i] = 1.0F / std::max((cloud.point(i) - at).norm(), 1e-6F);
   });

@@ -13,7 +13,7 @@ namespace {
 
 // A real wall is not a mathematical plane and a noise estimate is not exact: a fifth more scatter
 // than noise still counts as flat.
-constexpr double slack = 1.2 * 1.2;
+constexpr double cell_slack = 1.2 * 1.2;
 constexpr double z_flat =
     3.09;  // one flat cell in a thousand is turned away and then looked at point by point
 
@@ -32,12 +32,12 @@ bool is_flat(const Moments& moments, const BeamNoise& noise, MomentPlane& plane)
   const double freedom = moments.n - 3.0, sigma2 = noise.sigma * noise.sigma;
   if (variances[1] < breadth * sigma2 || variances[1] < breadth * variances[0]) return false;
   // Across no plane is there more noise than along the beam: most cells end here.
-  if (variances[0] * moments.n > slack * sigma2 * freedom * chi_square_factor(freedom, z_flat))
+  if (variances[0] * moments.n > cell_slack * sigma2 * freedom * chi_square_factor(freedom, z_flat))
     return false;
   plane = fit_plane_fast(moments);
   const double across = noise.across(plane, moments.mean()), across2 = across * across;
   return plane.variances[0] * moments.n <=
-             slack * across2 * freedom * chi_square_factor(freedom, z_flat) &&
+             cell_slack * across2 * freedom * chi_square_factor(freedom, z_flat) &&
          across2 <= tilt * tilt * moments.n * plane.variances[1];
 }
 
@@ -121,7 +121,7 @@ bool continues(const GrownPlane& region, const Moments& cell, const BeamNoise& n
       3.0 * across * std::sqrt(1.0 / cell.n + std::min(leverage, 1.0)) + 0.25 * noise.sigma)
     return false;
   return region.plane.mean_square(cell) <=
-         slack * sigma2 * (chi_square_factor(cell.n, z_flat) + 4.0 * std::min(leverage, 1.0));
+         cell_slack * sigma2 * (chi_square_factor(cell.n, z_flat) + 4.0 * std::min(leverage, 1.0));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace scanchor {
 namespace {
 
-struct Candidate {
+struct PlaneVote {
   std::int32_t id;
   float votes;
 };
@@ -17,13 +17,13 @@ struct Candidate {
 // Points by label within each leaf: neighbours ask for these rather than for the points.
 struct LeafVotes {
   std::vector<std::uint32_t> start;  // of leaf i: votes[start[i] .. start[i + 1])
-  std::vector<Candidate> votes;
+  std::vector<PlaneVote> votes;
 
   void count(const PointPool& pool, const std::vector<std::int32_t>& label) {
     constexpr std::size_t block = 1024;
     const std::size_t leaves = pool.leaf.size();
     start.assign(leaves + 1, 0);
-    std::vector<std::vector<Candidate>> found((leaves + block - 1) / block);
+    std::vector<std::vector<PlaneVote>> found((leaves + block - 1) / block);
     parallel_blocks(leaves, block, [&](std::size_t begin, std::size_t end) {
       auto& here = found[begin / block];
       for (auto l = static_cast<std::uint32_t>(begin); l < end; ++l) {
@@ -87,7 +87,7 @@ class Ballot {
 
  private:
   const std::vector<PlaneReach>& reach_;
-  std::vector<Candidate> candidates_;
+  std::vector<PlaneVote> candidates_;
   std::vector<float> cost_;
 };
 

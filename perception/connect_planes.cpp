@@ -12,7 +12,7 @@
 namespace scanchor {
 namespace {
 
-constexpr std::int32_t none = -1;
+constexpr std::int32_t no_piece = -1;
 
 // What the beams of a cell say of a plane.
 enum class Sight : std::uint8_t { empty, passed, blocked, on };
@@ -21,7 +21,7 @@ enum class Sight : std::uint8_t { empty, passed, blocked, on };
 class CellSearch {
  public:
   CellSearch(const CanonicalCloud& cloud, const BeamGrid& grid)
-      : piece(grid.cell_count(), none),
+      : piece(grid.cell_count(), no_piece),
         cloud_(cloud),
         grid_(grid),
         sight_(grid.cell_count(), 0),
@@ -63,7 +63,7 @@ class CellSearch {
           const auto cell = queue_[head++];
           bool open = false;
           for (const auto next : grid_.around<1>(cell)) {
-            open |= piece[next] == none;
+            open |= piece[next] == no_piece;
             if (is_waiting(next)) reached(next);
           }
           if (open) rim.push_back(cell);
@@ -127,7 +127,7 @@ class CellSearch {
     return hidden >= open;
   }
 
-  std::vector<std::int32_t> piece;  // by cell; `none` between searches
+  std::vector<std::int32_t> piece;  // by cell; `no_piece` between searches
 
  private:
   // Did no beam pass the plane on this way from a place of it, but for cells with points that count
@@ -254,7 +254,7 @@ std::vector<GrownPlane> split_plane(const CanonicalCloud& cloud, const BeamGrid&
     for (const auto cell : cells) {
       if (piece_of(cell) != largest) cells_of_piece[piece_of(cell)].push_back(cell);
     }
-    std::vector<std::int32_t> id(pieces, none);
+    std::vector<std::int32_t> id(pieces, no_piece);
     for (std::size_t k = 0; k < pieces; ++k) {
       if (k == largest) {
         id[k] = static_cast<std::int32_t>(r);
@@ -268,7 +268,7 @@ std::vector<GrownPlane> split_plane(const CanonicalCloud& cloud, const BeamGrid&
     }
     for (const auto p : members) labels.of_point[p] = id[piece_of(grid.cell_of_point(p))];
   }
-  for (const auto cell : cells) search.piece[cell] = none;
+  for (const auto cell : cells) search.piece[cell] = no_piece;
   return more;
 }
 

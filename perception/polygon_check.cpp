@@ -13,7 +13,7 @@ struct Edge {
   [[nodiscard]] double right() const { return std::max(a.x(), b.x()); }
 };
 
-double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+double turn_of(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
@@ -23,10 +23,10 @@ bool on_segment(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen:
 }
 
 bool touch(const Edge& e, const Edge& f) {
-  const double d1 = turn(f.a, f.b, e.a);
-  const double d2 = turn(f.a, f.b, e.b);
-  const double d3 = turn(e.a, e.b, f.a);
-  const double d4 = turn(e.a, e.b, f.b);
+  const double d1 = turn_of(f.a, f.b, e.a);
+  const double d2 = turn_of(f.a, f.b, e.b);
+  const double d3 = turn_of(e.a, e.b, f.a);
+  const double d4 = turn_of(e.a, e.b, f.b);
   if (((d1 > 0 && d2 < 0) || (d1 < 0 && d2 > 0)) && ((d3 > 0 && d4 < 0) || (d3 < 0 && d4 > 0)))
     return true;
   return (d1 == 0 && on_segment(f.a, f.b, e.a)) || (d2 == 0 && on_segment(f.a, f.b, e.b)) ||
@@ -66,7 +66,7 @@ bool no_contact(std::vector<Edge> edges) {
       const bool neighbours = same && ((e.index + 1) % e.ring_size == f.index ||
                                        (f.index + 1) % f.ring_size == e.index);
       if (neighbours && e.ring_size > 3 ? folded(e, f) : (!neighbours && touch(e, f))) return false;
-      if (neighbours && e.ring_size == 3 && turn(e.a, e.b, e.b == f.a ? f.b : f.a) == 0.0)
+      if (neighbours && e.ring_size == 3 && turn_of(e.a, e.b, e.b == f.a ? f.b : f.a) == 0.0)
         return false;
     }
     active.push_back(i);

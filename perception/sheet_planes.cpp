@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t fewest_squares = 12;  // of a sheet
 
-double median(std::vector<double>& values) {
+double median_of(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
@@ -205,10 +205,10 @@ class SheetFinder {
     if (4 * steps.size() < border || steps.size() < 6) return false;  // it borders on nothing
     expected /= static_cast<double>(steps.size());
     // A slope would rise by a third of the step between the two squares in the middle.
-    const double step = median(steps) / expected, rise = median(rises) / expected;
+    const double step = median_of(steps) / expected, rise = median_of(rises) / expected;
     return gain > 16.3 + 2.0 * static_cast<double>(border) && std::abs(expected) >= 0.5 * scatter &&
-           step >= 0.7 && step <= 1.5 && rise >= 0.45 * step && median(inside) < 2.0 &&
-           median(outside) < 2.0;
+           step >= 0.7 && step <= 1.5 && rise >= 0.45 * step && median_of(inside) < 2.0 &&
+           median_of(outside) < 2.0;
   }
 
   const HeightMap& map_;

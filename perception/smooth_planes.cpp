@@ -8,9 +8,9 @@
 namespace scanchor {
 namespace {
 
-constexpr int rounds = 3;
+constexpr int smoothing_rounds = 3;
 constexpr float vote = 1.0F;  // of a neighbour: as much as a residual of sqrt(2) scatters
-constexpr std::size_t block = 2048;
+constexpr std::size_t task = 2048;
 
 class Smoother {
  public:
@@ -27,7 +27,7 @@ class Smoother {
       log_height_.push_back(std::log(reach.height));
       log_least_.push_back(std::log(reach.least));
     }
-    parallel_blocks(common_.size(), block, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(common_.size(), task, [&](std::size_t begin, std::size_t end) {
       for (auto cell = static_cast<std::uint32_t>(begin); cell < end; ++cell)
         common_[cell] = common_label(cell);
     });
@@ -35,11 +35,11 @@ class Smoother {
 
   void run() {
     std::vector<std::uint32_t> asked = at_borders();
-    for (int round = 0; round < rounds && !asked.empty(); ++round) {
-      std::vector<std::vector<Change>> changes((asked.size() + block - 1) / block);
-      parallel_blocks(asked.size(), block, [&](std::size_t begin, std::size_t end) {
+    for (int round = 0; round < smoothing_rounds && !asked.empty(); ++round) {
+      std::vector<std::vector<Change>> changes((asked.size() + task - 1) / task);
+      parallel_blocks(asked.size(), task, [&](std::size_t begin, std::size_t end) {
         Ballot ballot;
-        for (std::size_t k = begin; k < end; ++k) choose(asked[k], ballot, changes[begin / block]);
+        for (std::size_t k = begin; k < end; ++k) choose(asked[k], ballot, changes[begin / task]);
       });
       asked = carry_out(changes);
     }
@@ -77,9 +77,9 @@ class Smoother {
   // looked at.
   [[nodiscard]] std::vector<std::uint32_t> at_borders() const {
     constexpr std::uint32_t tile = BeamGrid::cells_per_tile;
-    static_assert(block % tile == 0);
-    std::vector<std::vector<std::uint32_t>> found((common_.size() + block - 1) / block);
-    parallel_blocks(common_.size(), block, [&](std::size_t begin, std::size_t end) {
+    static_assert(task % tile == 0);
+    std::vector<std::vector<std::uint32_t>> found((common_.size() + task - 1) / task);
+    parallel_blocks(common_.size(), task, [&](std::size_t begin, std::size_t end) {
       for (auto first = static_cast<std::uint32_t>(begin); first < end; first += tile) {
         const bool even = is_even(first, first + tile);
         for (auto cell = first; cell < first + tile; ++cell) {
@@ -89,7 +89,7 @@ class Smoother {
           if (own == several || std::any_of(around.begin(), around.end(), [&](auto next) {
                 return common_[next] != own && common_[next] != no_points;
               }))
-            found[begin / block].push_back(cell);
+            found[begin / task].push_back(cell);
         }
       }
     });

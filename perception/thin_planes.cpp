@@ -13,7 +13,7 @@ namespace {
 
 // Everything the steps share. Labels here are of pool points; planes are numbered as in
 // PlaneLabels.
-struct Work {
+struct ThinWork {
   const PointPool& pool;
   const BeamNoise& noise;
   const std::vector<Surfel>& surfels;
@@ -28,7 +28,7 @@ enum class Grow { claim, find };
 // Takes free points within three sigma of the plane from leaf to leaf. A leaf that knows its own
 // plane joins only if it continues this one. While a plane is being found it follows its points,
 // and only leaves that know their plane lead on.
-void grow(Work& work, GrownPlane& grown, std::vector<std::uint32_t>& queue, Grow mode,
+void grow(ThinWork& work, GrownPlane& grown, std::vector<std::uint32_t>& queue, Grow mode,
           std::vector<std::uint32_t>& members) {
   const auto& c = work.pool.cloud;
   ++work.asking;
@@ -66,7 +66,7 @@ void grow(Work& work, GrownPlane& grown, std::vector<std::uint32_t>& queue, Grow
 }
 
 // Regions of flat cells take the pool points on their planes, the largest region first.
-void claim(Work& work) {
+void claim(ThinWork& work) {
   const auto& pool = work.pool;
   std::vector<std::vector<std::uint32_t>> seeds(work.planes.size());
   for (std::uint32_t l = 0; l < pool.leaf.size(); ++l) {
@@ -86,7 +86,7 @@ void claim(Work& work) {
 }
 
 // Grows from the flattest surfels first.
-void find_more(Work& work) {
+void find_more(ThinWork& work) {
   const auto& pool = work.pool;
   std::vector<std::uint32_t> order;
   for (std::uint32_t l = 0; l < pool.leaf.size(); ++l) {
@@ -114,7 +114,7 @@ void find_more(Work& work) {
 // A plane that was found early may hold points of one that was known better only later. The largest
 // planes first, each takes what lies on it and hangs together with it from planes of fewer points;
 // what is left of those follows its own points.
-void overgrow(Work& work, const std::vector<Moments>& fixed) {
+void overgrow(ThinWork& work, const std::vector<Moments>& fixed) {
   constexpr double most_turn = 0.83;  // cosine: a leaf that knows to look elsewhere is not asked
   // Of a leaf, in squared scatters; without the sensor the scatter across a plane is not known.
   const float most_loss = work.noise.sensor_known ? 4.0F : 3e38F;
@@ -257,7 +257,7 @@ void thin_planes(const CanonicalCloud& cloud, const CellTree& tree, const BeamNo
                  const std::vector<std::int32_t>& region_of_cell, PlaneLabels& labels) {
   const PointPool pool = point_pool(cloud, tree, labels, region_of_cell, noise.sigma);
   const auto surfels = fit_surfels(pool, noise);
-  Work work{pool, noise, surfels, labels.planes, {}, {}, 0};
+  ThinWork work{pool, noise, surfels, labels.planes, {}, {}, 0};
   work.label.assign(pool.place.size(), -1);
   work.asked.assign(pool.leaf.size(), 0);
   std::vector<Moments> fixed(labels.planes.size());  // of the points that flat cells settled

@@ -27,8 +27,8 @@ struct Count {
 
 // A class or a clause with few examples stays near what is usual: its share of all surfaces, and
 // half of what a clause would say if it were independent of its neighbours.
-constexpr double offset_strength = 0.1;
-constexpr double weight_strength = 10.0;
+constexpr double offset_prior = 0.1;
+constexpr double weight_prior = 10.0;
 constexpr double usual_weight = 0.5;
 
 struct ClauseCount {
@@ -252,7 +252,7 @@ Background fit_backgrounds(const Ontology& ontology, const std::vector<TrainingS
       for (const auto& [name, share] : background.priors)
         start.offset.push_back(std::log(share) - none);
       start.weight.assign(static_cast<std::size_t>(parameters.count()), usual_weight);
-      const FittedWeights fitted = fit_weights(examples, start, offset_strength, weight_strength);
+      const FittedWeights fitted = fit_weights(examples, start, offset_prior, weight_prior);
       // Only the ratios of the priors matter.
       double sum = 1.0;
       for (const double o : fitted.offset) sum += std::exp(o);

@@ -99,8 +99,6 @@ std::string after_hash(const std::string& name) {
   return at == std::string::npos ? name : name.substr(at + 1);
 }
 
-constexpr int deepest = 32;  // descriptions in each other, as in class files
-
 class Back {
  public:
   Back(const Graph& graph, const std::string& file) : graph_(graph), file_(file) {}
@@ -138,9 +136,9 @@ class Back {
   std::string target_words(const std::string& node) const {
     std::string list = text_of(graph_, node, owl_space + "intersectionOf");
     if (list.empty()) return class_name(node);
-    if (depth_ >= deepest)
+    if (depth_ >= deepest_description)
       fail_data(file_, "intersection " + node,
-                "lies in itself, or more than " + std::to_string(deepest) + " deep");
+                "lies in itself, or more than " + std::to_string(deepest_description) + " deep");
     ++depth_;
     std::string named;
     std::string said;
@@ -235,8 +233,9 @@ int order_of(const Graph& graph, const std::string& subject) {
 }  // namespace
 
 Ontology ontology_from_turtle(const std::string& turtle, const std::string& file) {
-  if (bracket_depth(turtle) > 4 * deepest)
-    fail_data(file, "", "brackets lie more than " + std::to_string(4 * deepest) + " deep");
+  if (bracket_depth(turtle) > 4 * deepest_description)
+    fail_data(file, "",
+              "brackets lie more than " + std::to_string(4 * deepest_description) + " deep");
   Reading reading;
   reading.env = serd_env_new(nullptr);
   SerdReader* reader =

@@ -42,7 +42,7 @@ void clip(Ring& ring, std::vector<EdgeKind>& kinds, const RectangleSides& sides,
   kinds = with_kinds ? std::move(kept_kinds) : std::vector<EdgeKind>();
 }
 
-double area_of(const Surface& surface) {
+double polygons_area(const Surface& surface) {
   double area = 0.0;
   for (const auto& polygon : surface.polygons) area += polygon.area();
   return area;
@@ -117,8 +117,8 @@ std::optional<Surface> piece(const Surface& whole, const std::vector<Eigen::Vect
     std::swap(r.width, r.length);
     r.angle += 0.5 * pi;
   }
-  const double area = area_of(s);
-  const double of_whole = area_of(whole);
+  const double area = polygons_area(s);
+  const double of_whole = polygons_area(whole);
   s.area = like(whole.area, of_whole > 0.0 ? whole.area.value * area / of_whole : area);
   const double filled = area / (r.length.value * r.width.value);
   const double filled_whole =

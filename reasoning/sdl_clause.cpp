@@ -7,15 +7,12 @@
 
 namespace scanchor {
 
-namespace {
-constexpr int deepest = 32;
-}
-
 ClauseReader::Depth::Depth(ClauseReader& reader) : reader_(reader) {
-  if (reader.depth_ >= deepest)
-    reader.fail(reader.peek(),
-                "more than " + std::to_string(deepest) + " descriptions lie in each other",
-                "describe the inner ones in a class of their own");
+  if (reader.depth_ >= deepest_description)
+    reader.fail(
+        reader.peek(),
+        "more than " + std::to_string(deepest_description) + " descriptions lie in each other",
+        "describe the inner ones in a class of their own");
   ++reader.depth_;
 }
 

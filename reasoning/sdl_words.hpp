@@ -8,6 +8,9 @@
 
 namespace scanchor {
 
+/// Descriptions that lie in each other; nobody means more.
+inline constexpr int deepest_description = 32;
+
 struct RelationWords {
   Relation relation;
   std::string_view words;  ///< as printed: "parallel to"

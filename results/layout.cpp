@@ -8,7 +8,7 @@
 namespace scanchor {
 namespace {
 
-constexpr double gap = 3.0;              // [px] kept free around a box
+constexpr double box_gap = 3.0;          // [px] kept free around a box
 constexpr double anchor_penalty = 30.0;  // [px] of distance that hiding another anchor is worth
 constexpr double crossing_penalty = 60.0;
 
@@ -66,7 +66,7 @@ std::vector<LabelPlace> place_labels(const std::vector<LabelRequest>& requests,
             box.y + box.h > area.y + area.h) {
           continue;
         }
-        const Box2 wide{box.x - gap, box.y - gap, box.w + 2 * gap, box.h + 2 * gap};
+        const Box2 wide{box.x - box_gap, box.y - box_gap, box.w + 2 * box_gap, box.h + 2 * box_gap};
         const auto hits = [&](const Box2& other) { return wide.overlaps(other); };
         if (std::any_of(obstacles.begin(), obstacles.end(), hits)) continue;
         if (std::any_of(placed.begin(), placed.end(),

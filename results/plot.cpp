@@ -11,14 +11,14 @@
 namespace scanchor {
 namespace {
 
-constexpr double legend_size = 12.0;
+constexpr double plot_legend_size = 12.0;
 
 // Three digits: what stands beside a cell need not be exact.
 std::string map_number(double value) { return fmt::format("{:.3g}", value); }
 
 double widest(const std::vector<std::string>& names) {
   double width = 0.0;
-  for (const std::string& name : names) width = std::max(width, text_width(name, legend_size));
+  for (const std::string& name : names) width = std::max(width, text_width(name, plot_legend_size));
   return width;
 }
 
@@ -31,7 +31,7 @@ void legend(PlotFrame& frame, const std::vector<std::string>& names, bool square
     } else {
       frame.picture.line({x, y - 4.0}, {x + 16.0, y - 4.0}, palette(i), 2.5);
     }
-    frame.picture.text(x + 22.0, y, names[i], legend_size);
+    frame.picture.text(x + 22.0, y, names[i], plot_legend_size);
   }
 }
 
@@ -276,10 +276,10 @@ VectorPicture plot_confusion(const std::vector<std::string>& names,
                10.5, readable_on(color), TextAnchor::middle);
       }
     }
-    p.text(frame.left - 8.0, y + h / 2 + 4.0, names[t], legend_size, ink, TextAnchor::end);
+    p.text(frame.left - 8.0, y + h / 2 + 4.0, names[t], plot_legend_size, ink, TextAnchor::end);
     VectorText name{{frame.x(double(t) + 0.5) + 4.0, frame.bottom + 14.0},
                     names[t],
-                    legend_size,
+                    plot_legend_size,
                     ink,
                     TextAnchor::end,
                     FontWeight::regular,

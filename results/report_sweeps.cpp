@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/json.hpp"
+#include "results/sweep_plots.hpp"
 
 namespace scanchor {
 namespace {
@@ -50,8 +51,6 @@ Json plot(const std::string& title, const JsonReader& axis, const std::string& m
   return json;
 }
 
-std::string short_name(const std::string& method) { return method.substr(0, method.find('/')); }
-
 void one_axis(const JsonReader& sweep, Json& plots) {
   const auto axis = sweep.at("axes").at(0);
   const auto points = rows(sweep.at("points"));
@@ -65,7 +64,7 @@ void one_axis(const JsonReader& sweep, Json& plots) {
   for (const char* metric : {things, planes}) {
     Json by_method = plot(fmt::format("{} by method", metric), axis, metric);
     for (std::size_t m = 0; m < methods.size(); ++m)
-      by_method["curves"].push_back(curve(short_name(methods.at(m).at("method").text()),
+      by_method["curves"].push_back(curve(finder_name(methods.at(m).at("method").text()),
                                           rows(methods.at(m).at("points")), metric));
     plots.push_back(std::move(by_method));
   }

@@ -36,8 +36,6 @@ PlotOptions share_axis(const SweepResult& sweep, const std::string& title) {
   return options;
 }
 
-std::string short_name(const std::string& method) { return method.substr(0, method.find('/')); }
-
 void require_axes(const SweepResult& sweep, std::size_t count) {
   if (sweep.axes.size() != count || sweep.points.empty())
     fail_data("", "sweep",
@@ -46,6 +44,8 @@ void require_axes(const SweepResult& sweep, std::size_t count) {
 }
 
 }  // namespace
+
+std::string finder_name(const std::string& method) { return method.substr(0, method.find('/')); }
 
 VectorPicture sweep_plot(const SweepResult& sweep) {
   require_axes(sweep, 1);
@@ -59,7 +59,7 @@ VectorPicture methods_plot(const std::vector<SweepResult>& sweeps, const std::st
   std::vector<PlotLine> lines;
   for (const SweepResult& sweep : sweeps) {
     require_axes(sweep, 1);
-    lines.push_back(line_of(sweep, metric, short_name(sweep.method)));
+    lines.push_back(line_of(sweep, metric, finder_name(sweep.method)));
   }
   return plot_lines(lines, share_axis(sweeps.front(), metric + " by method"));
 }
@@ -68,7 +68,7 @@ VectorPicture times_plot(const std::vector<SweepResult>& sweeps) {
   std::vector<PlotLine> lines;
   for (const SweepResult& sweep : sweeps) {
     require_axes(sweep, 1);
-    const std::string method = sweeps.size() > 1 ? short_name(sweep.method) + ": " : "";
+    const std::string method = sweeps.size() > 1 ? finder_name(sweep.method) + ": " : "";
     PlotLine perceive, reason;
     perceive.name = method + "perception";
     reason.name = method + "reasoning";
@@ -140,7 +140,7 @@ std::vector<std::filesystem::path> write_sweep_plots(const std::filesystem::path
   }
   if (first.axes.size() == 2) {
     for (const SweepResult& sweep : sweeps) {
-      files.push_back(write_plot(folder, "map-" + file_name_of(short_name(sweep.method)),
+      files.push_back(write_plot(folder, "map-" + file_name_of(finder_name(sweep.method)),
                                  sweep_map(sweep, metrics.front())));
     }
   }

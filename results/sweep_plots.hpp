@@ -10,6 +10,9 @@
 
 namespace scanchor {
 
+/// A method by the name of its perception.
+std::string finder_name(const std::string& method);
+
 /// All metrics of one method over the only axis, each with its 95 % interval.
 VectorPicture sweep_plot(const SweepResult& sweep);
 /// One metric of several methods over the only axis.

@@ -13,7 +13,7 @@
 namespace scanchor {
 namespace {
 
-constexpr int gap = 2;
+constexpr int column_gap = 2;
 constexpr int least_text = 8;  // no column is cut below this
 
 bool is_number(const std::string& text) {
@@ -82,7 +82,7 @@ std::string Table::to_text(const TableOptions& options) const {
     may_cut[c] = !numbers;
   }
   const auto total = [&] {
-    int sum = options.indent + gap * int(columns == 0 ? 0 : columns - 1);
+    int sum = options.indent + column_gap * int(columns == 0 ? 0 : columns - 1);
     for (const int w : width) sum += w;
     return sum;
   };
@@ -101,7 +101,8 @@ std::string Table::to_text(const TableOptions& options) const {
     std::string text = indent;
     for (std::size_t c = 0; c < columns; ++c) {
       const std::string cell = padded(cut(cells[c].text, width[c]), width[c], right[c]);
-      text += (c > 0 ? std::string(gap, ' ') : "") + colored(cell, cells[c].tone, options.color);
+      text +=
+          (c > 0 ? std::string(column_gap, ' ') : "") + colored(cell, cells[c].tone, options.color);
     }
     if (!options.color) text.erase(text.find_last_not_of(' ') + 1);
     return text + "\n";

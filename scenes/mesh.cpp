@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/math.hpp"
+#include "scenes/polygons.hpp"
 #include "scenes/pose.hpp"
 #include "scenes/truth.hpp"
 
@@ -45,10 +46,6 @@ struct Builder {
   }
 };
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 /// Ear clipping (Meisters 1975); triangles as indices into the outline, counter-clockwise.
 std::vector<Eigen::Vector3i> triangulate(const std::vector<Eigen::Vector2d>& outline) {
   std::vector<int> ring(outline.size());
@@ -63,14 +60,14 @@ std::vector<Eigen::Vector3i> triangulate(const std::vector<Eigen::Vector2d>& out
       const int a = ring[(i + ring.size() - 1) % ring.size()];
       const int b = ring[i];
       const int c = ring[(i + 1) % ring.size()];
-      if (cross(point(b) - point(a), point(c) - point(b)) <= 0) continue;
+      if (cross2(point(b) - point(a), point(c) - point(b)) <= 0) continue;
       bool empty = true;
       for (const int k : ring) {
         if (k == a || k == b || k == c) continue;
         const auto& p = point(k);
-        empty = empty && !(cross(point(b) - point(a), p - point(a)) >= 0 &&
-                           cross(point(c) - point(b), p - point(b)) >= 0 &&
-                           cross(point(a) - point(c), p - point(c)) >= 0);
+        empty = empty && !(cross2(point(b) - point(a), p - point(a)) >= 0 &&
+                           cross2(point(c) - point(b), p - point(b)) >= 0 &&
+                           cross2(point(a) - point(c), p - point(c)) >= 0);
       }
       if (!empty) continue;
       triangles.emplace_back(a, b, c);

@@ -35,18 +35,18 @@ Part box_part(const std::string& name, int material, const Eigen::Vector3d& cent
                                center.y() + ((corner & 2) != 0 ? 0.5 : -0.5) * size.y(),
                                center.z() + ((corner & 4) != 0 ? 0.5 : -0.5) * size.z());
   }
-  struct Side {
+  struct BoxFace {
     const char* name;
     int axis;  // of the normal
     int sign;
     int corners[4];  // counter-clockwise from outside
   };
-  static constexpr Side sides[] = {
+  static constexpr BoxFace sides[] = {
       {"top", 2, 1, {4, 5, 7, 6}},  {"bottom", 2, -1, {0, 2, 3, 1}}, {"front", 1, -1, {0, 1, 5, 4}},
       {"back", 1, 1, {3, 2, 6, 7}}, {"left", 0, -1, {2, 0, 4, 6}},   {"right", 0, 1, {1, 3, 7, 5}},
   };
   for (std::int32_t k = 0; k < 6; ++k) {
-    const Side& side = sides[k];
+    const BoxFace& side = sides[k];
     const auto& c = side.corners;
     part.triangles.emplace_back(c[0], c[1], c[2]);
     part.triangles.emplace_back(c[0], c[2], c[3]);

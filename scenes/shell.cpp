@@ -8,8 +8,8 @@
 namespace scanchor {
 namespace {
 
-constexpr double slab = 0.2;     // [m] thickness of floor and ceiling, which nobody sees
-constexpr double seam = 0.0015;  // [m] between a threshold and the floor: more than 1 mm
+constexpr double slab_thickness = 0.2;  // [m] thickness of floor and ceiling, which nobody sees
+constexpr double seam = 0.0015;         // [m] between a threshold and the floor: more than 1 mm
 
 void add_stuff(Scene& scene, ClassId id, const std::string& kind, Part part) {
   Instance instance;
@@ -63,25 +63,25 @@ void add_shell(Scene& scene, const RoomShell& room) {
   const Eigen::Vector2d size = room.high - room.low;
   const Eigen::Vector2d middle = 0.5 * (room.low + room.high);
   const int ground = use_material(scene, room.floor_material);
-  add_stuff(
-      scene, *find_class("floor"), "floor",
-      box_part("slab", ground, {middle.x(), middle.y(), -0.5 * slab}, {size.x(), size.y(), slab}));
+  add_stuff(scene, *find_class("floor"), "floor",
+            box_part("slab", ground, {middle.x(), middle.y(), -0.5 * slab_thickness},
+                     {size.x(), size.y(), slab_thickness}));
   int thresholds = 0;
   for (const auto& [side, opening] : room.openings) {
     if (opening.low.y() > 0 || opening.depth <= 2 * seam) continue;
     // Under the door, a seam off the floor on both sides.
     const Eigen::Vector2d width = opening.high - opening.low;
-    Part part =
-        box_part("threshold " + std::to_string(++thresholds), ground,
-                 {0.5 * (opening.low.x() + opening.high.x()), 0.5 * opening.depth, -0.5 * slab},
-                 {width.x(), opening.depth - 2 * seam, slab});
+    Part part = box_part(
+        "threshold " + std::to_string(++thresholds), ground,
+        {0.5 * (opening.low.x() + opening.high.x()), 0.5 * opening.depth, -0.5 * slab_thickness},
+        {width.x(), opening.depth - 2 * seam, slab_thickness});
     part.T_instance_part = side_frame(room, side);
     scene.instances.back().parts.push_back(std::move(part));
   }
-  add_stuff(
-      scene, *find_class("ceiling"), "ceiling",
-      box_part("slab", use_material(scene, room.ceiling_material),
-               {middle.x(), middle.y(), room.height + 0.5 * slab}, {size.x(), size.y(), slab}));
+  add_stuff(scene, *find_class("ceiling"), "ceiling",
+            box_part("slab", use_material(scene, room.ceiling_material),
+                     {middle.x(), middle.y(), room.height + 0.5 * slab_thickness},
+                     {size.x(), size.y(), slab_thickness}));
   const int paint = use_material(scene, room.wall_material);
   static constexpr const char* names[] = {"south", "east", "north", "west"};
   for (const Side side : {Side::south, Side::east, Side::north, Side::west}) {
@@ -90,7 +90,7 @@ void add_shell(Scene& scene, const RoomShell& room) {
       if (opening.side == side) openings.push_back(opening.opening);
     }
     Part part = panel_part(names[static_cast<int>(side)], paint, side_length(room, side),
-                           room.height, slab, openings, false, side_frame(room, side));
+                           room.height, slab_thickness, openings, false, side_frame(room, side));
     add_stuff(scene, *find_class("wall"), "wall", std::move(part));
   }
   scene.bounds.extend(Eigen::Vector3d(room.low.x(), room.low.y(), 0));

@@ -5,13 +5,10 @@
 #include <map>
 
 #include "core/math.hpp"
+#include "scenes/polygons.hpp"
 
 namespace scanchor {
 namespace {
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 /// Twice the area times the normal of a triangle.
 Eigen::Vector3d area_vector(const Part& part, std::size_t t) {
@@ -33,7 +30,7 @@ std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
   std::size_t n = 0;
   const auto chain = [&](auto begin, auto end, std::size_t floor) {
     for (auto it = begin; it != end; ++it) {
-      while (n >= floor + 2 && cross(hull[n - 1] - hull[n - 2], *it - hull[n - 2]) <= 0) --n;
+      while (n >= floor + 2 && cross2(hull[n - 1] - hull[n - 2], *it - hull[n - 2]) <= 0) --n;
       hull[n++] = *it;
     }
   };

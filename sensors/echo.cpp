@@ -10,8 +10,6 @@
 namespace scanchor {
 namespace {
 
-constexpr double speed_of_light = 299792458.0;  // [m/s], exact by definition
-
 double energy(const Sample& s) { return s.reflected / (s.range * s.range); }
 
 /// Energy of one surface in an echo.

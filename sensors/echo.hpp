@@ -38,6 +38,8 @@ struct Echo {
 /// (Hebert & Krotkov 1992; Tuley, Vandapel, Hebert, ICRA 2005). Sorts the samples.
 Echo resolve_echo(const LidarOptions& options, std::span<Sample> samples);
 
+inline constexpr double speed_of_light = 299792458.0;  // [m/s], exact by definition
+
 /// [m] below which two echoes of a pulse run together: c tau / 2.
 double echo_gap(const LidarOptions& options);
 /// [m] after which a phase scanner starts again at 0: c / 2f.

@@ -175,7 +175,7 @@ std::vector<std::uint8_t> straddling_beams(const World& world,
   // Drawing the outlines costs its steps, tracing all costs its sub-rays: a step costs about as
   // much as three (measured; docs/why/speed.md).
   double steps = 0.0;
-  for (const OutlineEdge& edge : outline) {
+  for (const FaceEdge& edge : outline) {
     const Eigen::Vector3d from = T_sensor_world * edge.from;
     const Eigen::Vector3d to = T_sensor_world * edge.to;
     const double angle = std::atan2(from.cross(to).norm(), from.dot(to));

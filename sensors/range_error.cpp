@@ -5,12 +5,11 @@
 
 #include "core/math.hpp"
 #include "core/random.hpp"
+#include "sensors/echo.hpp"
 #include "sensors/vector_rows.hpp"
 
 namespace scanchor {
 namespace {
-
-constexpr double speed_of_light = 299792458.0;  // [m/s], exact by definition
 
 double power(double base, double exponent) {
   if (exponent == 1.0) return base;

@@ -60,7 +60,7 @@ struct World::Impl {
   std::unique_ptr<EdgeGuard> guard;
   RTCScene embree = nullptr;
   mutable std::once_flag outline_once;
-  mutable std::vector<OutlineEdge> outline;
+  mutable std::vector<FaceEdge> outline;
 
   ~Impl() {
     if (embree != nullptr) rtcReleaseScene(embree);
@@ -389,7 +389,7 @@ double World::range_to(std::uint32_t triangle, const Eigen::Vector3d& origin,
   return impl_->range(triangle, origin.x(), origin.y(), origin.z(), direction.x(), direction.y(),
                       direction.z());
 }
-const std::vector<OutlineEdge>& World::outline() const {
+const std::vector<FaceEdge>& World::outline() const {
   std::call_once(impl_->outline_once, [this] { impl_->find_outline(); });
   return impl_->outline;
 }

@@ -67,7 +67,7 @@ struct SurfaceRecord {
 
 /// A piece of the outline of a face, or an edge of a curved one: where a beam's footprint can
 /// straddle two surfaces.
-struct OutlineEdge {
+struct FaceEdge {
   Eigen::Vector3d from, to;  ///< [m] world
 };
 
@@ -104,7 +104,7 @@ class World {
   [[nodiscard]] double range_to(std::uint32_t triangle, const Eigen::Vector3d& origin,
                                 const Eigen::Vector3d& direction) const;
   /// Outlines of planar faces, and all edges of curved ones. Computed once, on the first call.
-  [[nodiscard]] const std::vector<OutlineEdge>& outline() const;
+  [[nodiscard]] const std::vector<FaceEdge>& outline() const;
   [[nodiscard]] const std::vector<FaceAddress>& faces() const;  ///< as all_faces(scene)
   [[nodiscard]] const Scene& scene() const;                     ///< a copy that the world keeps
 

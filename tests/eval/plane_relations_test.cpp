@@ -90,7 +90,7 @@ TEST(PlaneRelations, AreScoredWithTheAnswer) {
   const Case c;
   Labelling labelling;
   labelling.entity_of_surface.assign(c.surfaces.surfaces.size(), -1);
-  Answer answer;
+  ScanAnswer answer;
   answer.points = perfect_prediction(c.truth);
   answer.points.plane = c.surfaces.plane_of_point;
   answer.surfaces = &c.surfaces;

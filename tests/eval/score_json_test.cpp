@@ -17,7 +17,7 @@ Score full_score() {
   const Protocol protocol;
   const ScanTruth truth = truth_of(made.scan, &made.scene, protocol);
   const Surfaces surfaces = true_surfaces(made.scan, truth);
-  Answer answer;
+  ScanAnswer answer;
   answer.points = perfect_prediction(truth);
   for (std::size_t i = 0; i < answer.points.class_id.size(); i += 3) answer.points.class_id[i] = 21;
   answer.surfaces = &surfaces;

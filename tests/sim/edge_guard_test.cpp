@@ -14,7 +14,7 @@ namespace {
 std::vector<Ray> rays_at_edges(const World& world, const Eigen::Vector3d& eye) {
   SequentialRandom random(3);
   std::vector<Ray> rays;
-  for (const OutlineEdge& edge : world.outline()) {
+  for (const FaceEdge& edge : world.outline()) {
     for (int i = 0; i < 3; ++i) {
       const Eigen::Vector3d at = edge.from + random.uniform() * (edge.to - edge.from);
       Eigen::Vector3d d = at - eye;
