@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "perception/outline_contacts.hpp"
-#include "perception/polygon_union_find.hpp"
 
 namespace scanchor {
 namespace {
@@ -196,6 +195,37 @@ OutlineNode middle_node(const Work& work, std::uint32_t i, std::uint32_t j) {
   return {in.plane, reach};
 }
 
+constexpr std::uint32_t none = 0xffffffffU;
+
+/// Of each triangle that is kept: the first of those that hang together with it over sides that
+/// touch the inside.
+std::vector<std::uint32_t> connected_pieces(const Work& work) {
+  const auto& triangles = work.mesh.triangles;
+  const auto& neighbours = work.mesh.neighbours;
+  std::vector<std::uint32_t> piece(triangles.size(), none);
+  std::vector<std::uint32_t> todo;
+  for (std::uint32_t first = 0; first < triangles.size(); ++first) {
+    if (!work.kept[first] || piece[first] != none) continue;
+    piece[first] = first;
+    todo.push_back(first);
+    while (!todo.empty()) {
+      const std::uint32_t n = todo.back();
+      todo.pop_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::int32_t m = neighbours[n][k];
+        if (m < 0 || !work.kept[static_cast<std::size_t>(m)]) continue;
+        std::uint32_t& other = piece[static_cast<std::size_t>(m)];
+        if (other != none ||
+            (!work.inside(triangles[n][(k + 1) % 3]) && !work.inside(triangles[n][(k + 2) % 3])))
+          continue;
+        other = first;
+        todo.push_back(static_cast<std::uint32_t>(m));
+      }
+    }
+  }
+  return piece;
+}
+
 /// Boundary of the part inside, triangle by triangle. Nodes are made as they are met.
 std::vector<BoundarySegment> march(const Work& work, Outline& outline,
                                    std::vector<std::int32_t>& node_of_sample) {
@@ -205,16 +235,7 @@ std::vector<BoundarySegment> march(const Work& work, Outline& outline,
   const auto is_kept = [&](std::int32_t n) {
     return n >= 0 && work.kept[static_cast<std::size_t>(n)];
   };
-  UnionFind pieces(triangles.size());
-  for (std::size_t n = 0; n < triangles.size(); ++n) {
-    for (std::size_t k = 0; k < 3 && work.kept[n]; ++k) {
-      const std::int32_t m = neighbours[n][k];
-      if (m <= static_cast<std::int32_t>(n) || !work.kept[static_cast<std::size_t>(m)]) continue;
-      if (work.inside(triangles[n][(k + 1) % 3]) || work.inside(triangles[n][(k + 2) % 3]))
-        pieces.join(n, static_cast<std::size_t>(m));
-    }
-  }
-  constexpr std::uint32_t none = 0xffffffffU;
+  const std::vector<std::uint32_t> pieces = connected_pieces(work);
   std::vector<std::array<std::uint32_t, 3>> middle(triangles.size(), {none, none, none});
   const auto vertex_node = [&](std::uint32_t s) {
     if (node_of_sample[s] < 0) {
@@ -245,7 +266,7 @@ std::vector<BoundarySegment> march(const Work& work, Outline& outline,
   for (std::size_t n = 0; n < triangles.size(); ++n) {
     if (!work.kept[n]) continue;
     const Triangle& t = triangles[n];
-    const auto piece = static_cast<std::uint32_t>(pieces.root(n));
+    const std::uint32_t piece = pieces[n];
     std::uint32_t leave = none;  // where the outline goes from inside to outside, and comes back
     std::uint32_t enter = none;
     std::size_t from = 0;
@@ -299,18 +320,32 @@ void widen_open_edges(const Work& work, const std::vector<std::int32_t>& node_of
                       Outline& outline) {
   const auto& samples = work.input.samples;
   std::vector<std::int32_t> sample_of_node(outline.nodes.size(), -1);
+  bool any = false;
   for (std::size_t s = 0; s < samples.size(); ++s) {
-    if (node_of_sample[s] >= 0)
-      sample_of_node[static_cast<std::size_t>(node_of_sample[s])] = static_cast<std::int32_t>(s);
+    if (node_of_sample[s] < 0) continue;
+    sample_of_node[static_cast<std::size_t>(node_of_sample[s])] = static_cast<std::int32_t>(s);
+    any = true;
   }
+  if (!any) return;
   // Two triangles make a cell. Of the triangles at a sample and at its neighbours, so that a few
-  // slivers do not decide.
+  // slivers do not decide. Only the samples on the outline ask.
+  std::vector<char> near(samples.size(), 0);
+  std::vector<std::uint32_t> at_outline;
+  for (std::uint32_t n = 0; n < work.mesh.triangles.size(); ++n) {
+    const Triangle& t = work.mesh.triangles[n];
+    if (!work.kept[n] ||
+        std::max({node_of_sample[t[0]], node_of_sample[t[1]], node_of_sample[t[2]]}) < 0)
+      continue;
+    at_outline.push_back(n);
+    for (const std::uint32_t s : t) near[s] = 1;
+  }
   std::vector<double> area(samples.size(), 0.0);
   std::vector<int> count(samples.size(), 0);
   for (std::size_t n = 0; n < work.mesh.triangles.size(); ++n) {
     const Triangle& t = work.mesh.triangles[n];
-    if (!work.kept[n] || !work.inside(t[0]) || !work.inside(t[1]) || !work.inside(t[2])) continue;
-    if (samples[t[0]].thinned || samples[t[1]].thinned || samples[t[2]].thinned) continue;
+    if (!(near[t[0]] | near[t[1]] | near[t[2]]) || !work.kept[n]) continue;
+    if (work.inside_corners(t) < 3) continue;
+    if (work.thinned(t[0]) || work.thinned(t[1]) || work.thinned(t[2])) continue;
     const Eigen::Vector2d u = samples[t[1]].plane - samples[t[0]].plane;
     const Eigen::Vector2d v = samples[t[2]].plane - samples[t[0]].plane;
     for (const std::uint32_t s : t) {
@@ -320,8 +355,7 @@ void widen_open_edges(const Work& work, const std::vector<std::int32_t>& node_of
   }
   std::vector<double> cell(samples.size(), 0.0);
   std::vector<int> cell_count(samples.size(), 0);
-  for (std::size_t n = 0; n < work.mesh.triangles.size(); ++n) {
-    if (!work.kept[n]) continue;
+  for (const std::uint32_t n : at_outline) {
     for (const std::uint32_t a : work.mesh.triangles[n]) {
       for (const std::uint32_t b : work.mesh.triangles[n]) {
         cell[a] += area[b];

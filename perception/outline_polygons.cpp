@@ -30,10 +30,11 @@ SmoothRing smooth(const Outline& outline, const BoundaryRing& raw, int level) {
     rough.tolerance.push_back(outline.nodes[node].half_gap);
   }
   // The tolerance of a vertex: what is usual around it, for a lone long triangle says little.
-  std::vector<double> usual(n);
+  std::vector<double> usual(n), around(n + 4);
+  for (std::size_t k = 0; k < n + 4; ++k) around[k] = rough.tolerance[(k + n - 2) % n];
   for (std::size_t i = 0; i < n; ++i) {
     std::array<double, 5> near{};
-    for (std::size_t k = 0; k < 5; ++k) near[k] = rough.tolerance[(i + n + k - 2) % n];
+    std::copy_n(around.begin() + static_cast<std::ptrdiff_t>(i), 5, near.begin());
     std::sort(near.begin(), near.end());
     usual[i] = std::max({near[2], std::min(rough.tolerance[i], 2.0 * near[2]), 1e-6});
   }
@@ -59,13 +60,14 @@ SmoothRing smooth(const Outline& outline, const BoundaryRing& raw, int level) {
   }
   for (std::size_t i = 0; i < kept.size(); ++i) {
     const std::size_t steps = (kept[(i + 1) % kept.size()] + n - kept[i]) % n;
+    const auto next = [n](std::size_t a) { return a + 1 < n ? a + 1 : 0; };
     std::array<double, 4> length{};
     double gap = 0.0;
-    for (std::size_t k = 0; k < steps; ++k) {
-      const std::size_t a = (kept[i] + k) % n;
-      length[static_cast<std::size_t>(raw.kinds[a])] +=
-          (rough.points[(a + 1) % n] - rough.points[a]).norm();
-      gap += gaps[a];
+    std::size_t at = kept[i];
+    for (std::size_t k = 0; k < steps; ++k, at = next(at)) {
+      length[static_cast<std::size_t>(raw.kinds[at])] +=
+          (rough.points[next(at)] - rough.points[at]).norm();
+      gap += gaps[at];
     }
     const auto longest = std::max_element(length.begin(), length.end());
     result.kinds.push_back(static_cast<EdgeKind>(longest - length.begin()));
@@ -73,8 +75,9 @@ SmoothRing smooth(const Outline& outline, const BoundaryRing& raw, int level) {
     const Eigen::Vector2d& from = result.ring[i];
     const Eigen::Vector2d along = result.ring[(i + 1) % kept.size()] - from;
     double squares = 0.0;
-    for (std::size_t k = 1; k < steps; ++k) {
-      const Eigen::Vector2d d = rough.points[(kept[i] + k) % n] - from;
+    at = next(kept[i]);
+    for (std::size_t k = 1; k < steps; ++k, at = next(at)) {
+      const Eigen::Vector2d d = rough.points[at] - from;
       const double off = along.x() * d.y() - along.y() * d.x();
       squares += off * off;
     }

@@ -82,8 +82,9 @@ std::vector<std::uint32_t> simplify(const RoughRing& ring) {
     const auto& b = ring.points[(span.from + span.steps) % n];
     double worst = 1.0;
     std::uint32_t at = 0;
+    std::uint32_t i = span.from;
     for (std::uint32_t k = 1; k < span.steps; ++k) {
-      const std::uint32_t i = (span.from + k) % n;
+      i = i + 1 < n ? i + 1 : 0;
       const double ratio = distance_to_segment(ring.points[i], a, b) / ring.tolerance[i];
       if (ratio > worst) {
         worst = ratio;

@@ -123,7 +123,9 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
   static const SideHistogram unknown = normal_bins();
   double total = 0.0;
   for (int round = 0; round < closer_looks; ++round) {
-    for (std::size_t k = 0; k < 4; ++k) likelihoods[k].set_step(step[k]);
+    for (std::size_t k = 0; k < 4; ++k)
+      likelihoods[k].look_at(start[k], step[k], 0.5 * (first_turn + last_turn),
+                             0.5 * (last_turn - first_turn));
     double greatest = -1e300;
     for (int t = 0; t < directions; ++t) {
       Trial& trial = trials[static_cast<std::size_t>(t)];
@@ -135,7 +137,7 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
           h = unknown;
           continue;
         }
-        trial.weight += likelihoods[k](trial.turn, start[k], h);
+        trial.weight += likelihoods[k](trial.turn, h);
         double sum = 0.0;
         for (const double x : h) sum += x;
         for (double& x : h) x /= sum;
@@ -225,8 +227,19 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
                                   middle + mean_position[axis] * outwards, outwards);
       widen(size[axis], variance);
     }
-    // Opposite sides of a sliver may cross within their error: no size is below nothing.
-    size[axis].value = std::max(size[axis].value, fine);
+    if (evidence.foot) {
+      // Planes that were found have a row more or less than is their own at one side in thirty.
+      constexpr double wrong_rows = 0.03;
+      widen(size[axis], wrong_rows * (sides[axis].gap * sides[axis].gap +
+                                      sides[axis + 2].gap * sides[axis + 2].gap));
+    }
+    size[axis].low -= sides[axis].loose + sides[axis + 2].loose;
+    // Opposite sides of a sliver may cross within their error: no size is below nothing, and a
+    // single row of samples may be as broad as the gaps to both its sides.
+    if (size[axis].value < fine) {
+      size[axis].value = fine;
+      size[axis].high = std::max(size[axis].high, sides[axis].gap + sides[axis + 2].gap);
+    }
     size[axis].low = std::clamp(size[axis].low, 0.0, size[axis].value);
     size[axis].high = std::max(size[axis].high, size[axis].value);
     size[axis].at_least = sides[axis].censored || sides[axis + 2].censored;
@@ -245,6 +258,7 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
     fit.support[k] = sides[from].support;
     fit.censored[k] = sides[from].censored;
   }
+  for (const RectangleSide& side : sides) fit.loose_area += side.loose_area;
   const double area = size[0].value * size[1].value;
   const double sigma = std::sqrt(size[1].value * size[1].value * variance_of(size[0]) +
                                  size[0].value * size[0].value * variance_of(size[1]));

@@ -80,8 +80,35 @@ SideLikelihood::SideLikelihood(const RectangleSide& side, double sigma,
   for (double& value : outside_.value) value = std::log(lost(value));
 }
 
-void SideLikelihood::set_step(double step) {
+void SideLikelihood::narrow(const Samples& all, double turn, double most_turn, double low,
+                            double high, Samples& near, Bin& before, Bin& after) {
+  near = {};
+  before = after = {};
+  const double c = std::cos(turn);
+  const double s = std::sin(turn);
+  for (std::size_t i = 0; i < all.value.size(); ++i) {
+    const double x = c * all.across[i] + s * all.along[i];
+    // A turn moves a sample by no more than its distance from the middle.
+    const double moved = most_turn * (std::abs(all.across[i]) + std::abs(all.along[i]));
+    if (x + moved < low || x - moved > high) {
+      Bin& bin = x < low ? before : after;
+      bin.count += 1.0;
+      bin.value += all.value[i];
+      continue;
+    }
+    near.across.push_back(all.across[i]);
+    near.along.push_back(all.along[i]);
+    near.value.push_back(all.value[i]);
+  }
+}
+
+void SideLikelihood::look_at(double start, double step, double turn, double most_turn) {
+  start_ = start;
   step_ = step;
+  Bin none;
+  const double margin = 0.01 * step, end = start + side_bins * step;
+  narrow(inside_, turn, most_turn, start - margin, end + margin, near_inside_, none, beyond_);
+  narrow(outside_, turn, most_turn, start - margin, end + margin, near_outside_, before_, none);
   // ln P(found inside | the edge lies z bins further out), for z = -window .. window.
   window_ = std::clamp(static_cast<int>(std::ceil(4.0 * sigma_ / step)), 0, side_bins);
   for (int z = -window_; z <= window_; ++z) {
@@ -92,8 +119,7 @@ void SideLikelihood::set_step(double step) {
   }
 }
 
-SideLikelihood::Bins SideLikelihood::sort(const Samples& samples, double c, double s,
-                                          double start) const {
+SideLikelihood::Bins SideLikelihood::sort(const Samples& samples, double c, double s) const {
   const double per_step = 1.0 / step_;
   Bins bins{};
   constexpr std::size_t at_once = 64;
@@ -104,7 +130,7 @@ SideLikelihood::Bins SideLikelihood::sort(const Samples& samples, double c, doub
     const double* across = samples.across.data() + first;
     const double* along = samples.along.data() + first;
     for (std::size_t i = 0; i < n; ++i) {
-      const double x = (c * across[i] + s * along[i] - start) * per_step;
+      const double x = (c * across[i] + s * along[i] - start_) * per_step;
       bin[i] = static_cast<int>(std::min(std::max(x, -1.0), double(side_bins)) + 1.0);
     }
     for (std::size_t i = 0; i < n; ++i) {
@@ -116,26 +142,26 @@ SideLikelihood::Bins SideLikelihood::sort(const Samples& samples, double c, doub
   return bins;
 }
 
-double SideLikelihood::operator()(double turn, double start, SideHistogram& likelihood) const {
+double SideLikelihood::operator()(double turn, SideHistogram& likelihood) const {
   const int window = window_;
   const double c = std::cos(turn);
   const double s = std::sin(turn);
   // ln P of the samples inside, did the edge lie further in, also of those beyond the last bin; and
   // of the samples outside, did it lie further out, also of those before the first.
-  const Bins in = sort(inside_, c, s, start);
-  const Bins out = sort(outside_, c, s, start);
+  const Bins in = sort(near_inside_, c, s);
+  const Bins out = sort(near_outside_, c, s);
   // Sums up to a bin: counts[k + 1] holds those of bins 0 .. k.
   std::array<double, side_bins + 1> in_sum, out_sum, astray_sum, lost_sum;
   in_sum[0] = astray_sum[0] = 0.0;
-  out_sum[0] = out[0].count;
-  lost_sum[0] = out[0].value;
+  out_sum[0] = before_.count + out[0].count;
+  lost_sum[0] = before_.value + out[0].value;
   for (std::size_t k = 0; k < side_bins; ++k) {
     in_sum[k + 1] = in_sum[k] + in[k + 1].count;
     astray_sum[k + 1] = astray_sum[k] + in[k + 1].value;
     out_sum[k + 1] = out_sum[k] + out[k + 1].count;
     lost_sum[k + 1] = lost_sum[k] + out[k + 1].value;
   }
-  const double astray_total = astray_sum[side_bins] + in[side_bins + 1].value;
+  const double astray_total = astray_sum[side_bins] + in[side_bins + 1].value + beyond_.value;
   const double out_total = out_sum[side_bins];
   static const double good = std::log(1.0 - wrong_share);
   // Counts beyond the window by running sums, inside the window one by one.

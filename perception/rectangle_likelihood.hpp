@@ -46,12 +46,13 @@ class SideLikelihood {
   /// There are samples on both sides.
   [[nodiscard]] bool informed() const { return !inside_.value.empty() && !outside_.value.empty(); }
 
-  /// To be called before positions are tried that lie `step` apart.
-  void set_step(double step);
+  /// To be called before positions start + (k + 1/2) step are tried, turned by up to `most_turn`
+  /// [rad] to either side of `turn`.
+  void look_at(double start, double step, double turn, double most_turn);
 
-  /// Positions start + (k + 1/2) step of the side, turned by `turn` [rad] against the main
-  /// direction: likelihoods, the greatest of them 1; returns the logarithm of the scale.
-  double operator()(double turn, double start, SideHistogram& likelihood) const;
+  /// Likelihoods of the positions of the side, turned by `turn` [rad] against the main direction:
+  /// the greatest of them 1; returns the logarithm of the scale.
+  double operator()(double turn, SideHistogram& likelihood) const;
 
  private:
   /// Apart from each other, so that the places of many are reckoned at once.
@@ -68,12 +69,18 @@ class SideLikelihood {
       std::array<Bin, side_bins + 2>;  ///< with one before the first and one after the last
 
   /// Sorts samples, seen in a direction (cosine and sine of its turn), into bins from `start`.
-  [[nodiscard]] Bins sort(const Samples& samples, double c, double s, double start) const;
+  [[nodiscard]] Bins sort(const Samples& samples, double c, double s) const;
+  /// The samples that may lie in a bin; `before` and `after` count the others.
+  static void narrow(const Samples& all, double turn, double most_turn, double low, double high,
+                     Samples& near, Bin& before, Bin& after);
   double sigma_;
+  double start_ = 0.0;
   double step_ = 1.0;
   int window_ = 0;
   std::array<double, 2 * side_bins + 1> soft_{};
   Samples inside_, outside_;
+  Samples near_inside_, near_outside_;
+  Bin beyond_, before_;  ///< those inside beyond the last bin, those outside before the first
 };
 
 }  // namespace scanchor

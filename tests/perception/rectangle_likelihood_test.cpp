@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/random.hpp"
+
 #include <algorithm>
 
 namespace scanchor {
@@ -28,9 +30,9 @@ struct Rows {
     SideLikelihood likelihood(side, evidence.sigma, evidence, {0, 0}, 0.0);
     const double start = -0.04;
     const double step = 0.084 / side_bins;
-    likelihood.set_step(step);
+    likelihood.look_at(start, step, 0.0, 0.01);
     SideHistogram h{};
-    likelihood(0.0, start, h);
+    likelihood(0.0, h);
     double part = 0.0, all = 0.0;
     for (std::size_t b = 0; b < side_bins; ++b) {
       const double x = start + (static_cast<double>(b) + 0.5) * step;
@@ -98,6 +100,31 @@ TEST(SideLikelihood, NeedsBothSides) {
   EXPECT_FALSE(SideLikelihood(rows.side, 0.0, rows.evidence, {0, 0}, 0.0).informed());
   rows.add(false, 0.02, -9.0);
   EXPECT_TRUE(SideLikelihood(rows.side, 0.0, rows.evidence, {0, 0}, 0.0).informed());
+}
+
+TEST(SideLikelihood, WhatIsFarFromThePlacesTriedCountsAsIfItWereSorted) {
+  SequentialRandom random(4);
+  RectangleEvidence evidence;
+  for (int i = 0; i < 400; ++i) {
+    const bool inside = i % 2 == 0;
+    auto& samples = inside ? evidence.inside : evidence.outside;
+    samples.emplace_back(inside ? random.uniform(-0.1, 0.02) : random.uniform(-0.02, 0.1),
+                         random.uniform(-0.3, 0.3));
+    (inside ? evidence.inside_height : evidence.outside_height).push_back(random.normal());
+  }
+  RectangleSide side;
+  side.gap = 0.04;
+  side.low = -0.35;
+  side.high = 0.35;
+  SideLikelihood narrowed(side, 0.0, evidence, {0, 0}, 0.0);
+  SideLikelihood whole = narrowed;
+  narrowed.look_at(-0.012, 0.024 / side_bins, 0.01, 0.005);
+  whole.look_at(-0.012, 0.024 / side_bins, 0.01, 100.0);
+  for (const double turn : {0.005, 0.012, 0.015}) {
+    SideHistogram some{}, all{};
+    EXPECT_NEAR(narrowed(turn, some), whole(turn, all), 1e-9);
+    for (std::size_t b = 0; b < side_bins; ++b) EXPECT_NEAR(some[b], all[b], 1e-9);
+  }
 }
 
 }  // namespace
