@@ -48,7 +48,10 @@ struct LeafVotes {
 class Ballot {
  public:
   explicit Ballot(const std::vector<PlaneReach>& reach) : reach_(reach) {}
-  void clear() { candidates_.clear(); }
+  void clear() {
+    candidates_.clear();
+    cost_.clear();
+  }
   void vote(std::int32_t id, float weight) {
     for (auto& candidate : candidates_) {
       if (candidate.id == id) {
@@ -58,25 +61,25 @@ class Ballot {
     }
     candidates_.push_back({id, weight});
   }
-  void count() {
-    cost_.clear();
-    if (candidates_.size() < 2) return;
-    for (const auto& candidate : candidates_) cost_.push_back(-std::log(candidate.votes));
-  }
-  [[nodiscard]] std::int32_t best(float x, float y, float z, float inverse_range) const {
-    if (candidates_.size() == 1) {  // mostly: nothing to weigh
-      const auto& reach = reach_[static_cast<std::size_t>(candidates_[0].id)];
-      return reach.distance(x, y, z) / reach.scatter(inverse_range) > 3.0F ? -1 : candidates_[0].id;
+  std::int32_t best(float x, float y, float z, float inverse_range) {
+    in_reach_.clear();
+    for (std::size_t k = 0; k < candidates_.size(); ++k) {
+      const auto& reach = reach_[static_cast<std::size_t>(candidates_[k].id)];
+      const float s = reach.scatter(inverse_range);
+      const float r = reach.distance(x, y, z) / s;
+      if (!(r > 3.0F)) in_reach_.push_back({k, r, s});
+    }
+    if (in_reach_.empty()) return -1;
+    if (in_reach_.size() == 1) return candidates_[in_reach_[0].candidate].id;  // nothing to weigh
+    if (cost_.empty()) {
+      for (const auto& candidate : candidates_) cost_.push_back(-std::log(candidate.votes));
     }
     std::int32_t chosen = -1;
     float least = 3e38F;
-    for (std::size_t k = 0; k < candidates_.size(); ++k) {
-      const auto id = candidates_[k].id;
-      const auto& reach = reach_[static_cast<std::size_t>(id)];
-      const float s = reach.scatter(inverse_range);
-      const float r = reach.distance(x, y, z) / s;
-      if (r > 3.0F) continue;
-      const float cost = 0.5F * r * r + std::log(s) + cost_[k];
+    for (const auto& near : in_reach_) {
+      const auto id = candidates_[near.candidate].id;
+      const float cost =
+          0.5F * near.scatters * near.scatters + std::log(near.scatter) + cost_[near.candidate];
       if (cost < least || (cost == least && id < chosen)) {
         least = cost;
         chosen = id;
@@ -86,9 +89,14 @@ class Ballot {
   }
 
  private:
+  struct InReach {
+    std::size_t candidate;
+    float scatters, scatter;  // distance in scatters of the plane, and one of those [m]
+  };
   const std::vector<PlaneReach>& reach_;
   std::vector<PlaneVote> candidates_;
-  std::vector<float> cost_;
+  std::vector<float> cost_;  // of each candidate's votes; empty: nobody asked
+  std::vector<InReach> in_reach_;
 };
 
 }  // namespace
@@ -115,7 +123,6 @@ void choose_planes(const PointPool& pool, const BeamNoise& noise, const std::vec
         for (auto k = pool.start[l]; k < pool.start[l + 1]; ++k) ask(pool.to[k]);
         for (auto k = pool.region_start[l]; k < pool.region_start[l + 1]; ++k)
           ballot.vote(pool.regions[k], flat_votes);
-        ballot.count();
         const Cell& cell = pool.cell(l);
         for (auto p = cell.begin; p < cell.end; ++p)
           next[p] = ballot.best(c.x[p], c.y[p], c.z[p], c.inverse_range[p]);

@@ -9,11 +9,23 @@ namespace scanchor {
 namespace {
 
 struct Patch {
-  std::vector<float> x, y, z;
-  void clear() {
-    x.clear();
-    y.clear();
-    z.clear();
+  std::vector<float> x, y, z;  // the first `size` count
+  std::size_t size = 0;
+
+  // Takes the points of a cell that lie in a ball. Each is written down and kept or not: that is
+  // quicker than to ask first.
+  void take(const CanonicalCloud& c, const Cell& cell, const Eigen::Vector3f& center,
+            float radius2) {
+    if (x.size() < size + cell.size()) {
+      for (auto* v : {&x, &y, &z}) v->resize(2 * (size + cell.size()));
+    }
+    for (auto p = cell.begin; p < cell.end; ++p) {
+      const float dx = c.x[p] - center.x(), dy = c.y[p] - center.y(), dz = c.z[p] - center.z();
+      x[size] = c.x[p];
+      y[size] = c.y[p];
+      z[size] = c.z[p];
+      size += dx * dx + dy * dy + dz * dz <= radius2 ? 1 : 0;
+    }
   }
 };
 
@@ -21,7 +33,7 @@ Surfel fit_surfel(const Patch& patch, const BeamNoise& noise) {
   constexpr double breadth = 4.0, fewest = 6.0;
   Surfel surfel;
   Moments moments;
-  for (std::size_t i = 0; i < patch.x.size(); ++i) moments.add(patch.x[i], patch.y[i], patch.z[i]);
+  for (std::size_t i = 0; i < patch.size; ++i) moments.add(patch.x[i], patch.y[i], patch.z[i]);
   MomentPlane plane;
   bool settled = false;  // the plane is that of `moments`
   for (int round = 0; round < 2 && !settled; ++round) {
@@ -30,13 +42,13 @@ Surfel fit_surfel(const Patch& patch, const BeamNoise& noise) {
     const double reach = 2.5 * noise.across(plane, moments.mean());
     Moments next;
     double score = 0.0;
-    for (std::size_t i = 0; i < patch.x.size(); ++i) {
+    for (std::size_t i = 0; i < patch.size; ++i) {
       const double r = plane.distance({patch.x[i], patch.y[i], patch.z[i]}) / reach;
       if (std::abs(r) > 1.0) continue;
       next.add(patch.x[i], patch.y[i], patch.z[i]);
       score += 1.0 - r * r;
     }
-    surfel.score = score / static_cast<double>(patch.x.size());
+    surfel.score = score / static_cast<double>(patch.size);
     // All of the patch lies on it: another round would find the same.
     settled = round == 0 && next.n == moments.n;
     moments = next;
@@ -57,23 +69,13 @@ std::vector<Surfel> fit_surfels(const PointPool& pool, const BeamNoise& noise) {
   parallel_blocks(pool.leaf.size(), 512, [&](std::size_t begin, std::size_t end) {
     Patch patch;
     for (auto l = static_cast<std::uint32_t>(begin); l < end; ++l) {
-      patch.clear();
       const Eigen::Vector3f center = pool.tree.moments[pool.leaf[l]].mean().cast<float>();
       const float side = c.cell_side(pool.cell(l).level);
       const float radius = std::max(1.2F * side, static_cast<float>(3.0 * noise.sigma));
-      const float radius2 = radius * radius;
-      const auto take = [&](std::uint32_t leaf) {
-        const Cell& cell = pool.cell(leaf);
-        for (auto p = cell.begin; p < cell.end; ++p) {
-          const float dx = c.x[p] - center.x(), dy = c.y[p] - center.y(), dz = c.z[p] - center.z();
-          if (dx * dx + dy * dy + dz * dz > radius2) continue;
-          patch.x.push_back(c.x[p]);
-          patch.y.push_back(c.y[p]);
-          patch.z.push_back(c.z[p]);
-        }
-      };
-      take(l);
-      for (auto k = pool.start[l]; k < pool.start[l + 1]; ++k) take(pool.to[k]);
+      patch.size = 0;
+      patch.take(c, pool.cell(l), center, radius * radius);
+      for (auto k = pool.start[l]; k < pool.start[l + 1]; ++k)
+        patch.take(c, pool.cell(pool.to[k]), center, radius * radius);
       surfels[l] = fit_surfel(patch, noise);
     }
   });
