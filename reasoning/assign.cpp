@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "reasoning/background.hpp"
+#include "reasoning/hold_together.hpp"
 #include "reasoning/proof.hpp"
 
 namespace scanchor {
@@ -30,13 +31,18 @@ bool is_ancestor(const Ontology& ontology, int ancestor, int c) {
   return false;
 }
 
-/// A part that is only held together by its group (a board of a shelf) is nothing by itself: it
-/// counts through the group.
+/// A part that is only held together by its group (a board of a shelf, an end of the frame of a
+/// desk) is nothing by itself: it counts through the group.
 bool only_a_member(const Ontology& ontology, int c) {
   const auto& description = ontology.classes[c];
   if (description.part_of.empty()) return false;
-  for (const auto& clause : all_clauses(ontology, ontology.find(description.part_of))) {
-    if (clause.kind == ClauseKind::group && clause.target == description.name()) return true;
+  const int whole = ontology.find(description.part_of);
+  for (std::size_t g = 0; g < ontology.classes.size(); ++g) {
+    const int group = static_cast<int>(g);
+    if (group != whole && ontology.classes[g].part_of != description.part_of) continue;
+    for (const auto& clause : all_clauses(ontology, group)) {
+      if (clause.kind == ClauseKind::group && clause.target == description.name()) return true;
+    }
   }
   return false;
 }
@@ -285,6 +291,7 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
                ? entities[a].probability > entities[b].probability
                : entities[a].members.size() > entities[b].members.size();
   });
+  std::vector<std::int32_t> owners;
   for (const auto g : groups) {
     const bool free = std::all_of(entities[g].members.begin(), entities[g].members.end(),
                                   [&](std::int32_t m) { return entities[m].whole < 0; });
@@ -303,7 +310,9 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
       labelling.entity_of_surface[m] = g;
       entities[g].surfaces.push_back(m);
     }
+    owners.push_back(g);
   }
+  hold_together(owners, items, ontology, labelling);
 
   // Parts go to their whole, the target of their first relation to it.
   for (std::size_t i = 0; i < matcher.surface_count(); ++i) {

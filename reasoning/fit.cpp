@@ -54,36 +54,39 @@ class Truth {
  public:
   Truth(const Ontology& ontology, const Matcher& matcher, const TrainingScene& scene) {
     for (const auto& item : matcher.items()) {
-      int best = -1;
-      if (item.group) {
-        const int whole = ontology.find(most_of(matcher, item, scene));
-        if (whole >= 0 && matcher.is_group_class(whole)) best = whole;
-      } else if (const std::string& name = scene.classes[static_cast<std::size_t>(item.id)];
-                 !name.empty() && ontology.find(name) >= 0) {
-        const int whole = ontology.find(name);
-        double most = -1.0;
-        for (std::size_t c = 0; c < ontology.classes.size(); ++c) {
-          const bool own = static_cast<int>(c) == whole;
-          if (!own && ontology.classes[c].part_of != ontology.classes[whole].name()) continue;
-          if (own && matcher.is_group_class(whole)) continue;
-          double fit = own ? 1.0 : 0.9;  // in doubt it is the thing itself
-          for (const auto& clause : matcher.clauses(static_cast<int>(c))) {
-            if (clause.usually || !clause.target.empty() || clause.kind == ClauseKind::extremum)
-              continue;
-            fit *= matcher.evaluate(static_cast<int>(c), clause, item.id).value;
-          }
-          if (fit > most) {
-            most = fit;
-            best = static_cast<int>(c);
-          }
-        }
-      }
-      of_item.push_back(best);
+      const std::string name = item.group ? most_of(matcher, item, scene)
+                                          : scene.classes[static_cast<std::size_t>(item.id)];
+      of_item.push_back(name.empty() ? -1 : nearest(ontology, matcher, ontology.find(name), item));
     }
   }
   std::vector<int> of_item;
 
  private:
+  /// Of the thing itself, its kinds and its parts the one whose features the item has most.
+  static int nearest(const Ontology& ontology, const Matcher& matcher, int whole,
+                     const Item& item) {
+    int best = -1;
+    double most = -1.0;
+    for (std::size_t c = 0; whole >= 0 && c < ontology.classes.size(); ++c) {
+      const int index = static_cast<int>(c);
+      const bool own = index == whole;
+      if (matcher.is_group_class(index) != item.group) continue;
+      if (!own && ontology.classes[c].part_of != ontology.classes[whole].name()) continue;
+      if (item.group && matcher.belief(index, item.id) <= 0.0) continue;  // made for another class
+      double fit = own ? 1.0 : 0.9;  // in doubt it is the thing itself
+      for (const auto& clause : matcher.clauses(index)) {
+        if (clause.usually || !clause.target.empty() || clause.kind == ClauseKind::extremum)
+          continue;
+        fit *= matcher.evaluate(index, clause, item.id).value;
+      }
+      if (fit > most) {
+        most = fit;
+        best = index;
+      }
+    }
+    return best;
+  }
+
   /// A book among the boards makes no other thing of a shelf: the name of more than half of the
   /// members' area; "" where there is none.
   static std::string most_of(const Matcher& matcher, const Item& group,
@@ -155,7 +158,7 @@ void count_clauses(const Ontology& ontology, const Matcher& matcher, const Item&
     const bool candidate = matcher.belief(index, item.id) > 0.0;
     // Legs and edges of a desk are the desk's and meet nothing that is said of it. A class is
     // taught by what may be taken for it: what passes its required clauses.
-    if (member && !candidate) continue;
+    if ((member || item.group) && !candidate) continue;
     for (std::size_t i = 0; i < own.size(); ++i) {
       // Context is asked only of what passes the required clauses.
       if (own[i].usually && !candidate) continue;

@@ -24,6 +24,7 @@ class ClauseReader : public SdlCursor {
   std::string name(const std::vector<std::string>& stops);
   Range range(int dimension, const std::string& what);
   double number();
+  double distance(std::string& word);  ///< with its unit, in metres
 
  protected:
   /// Counts, while it lives, how many descriptions lie in each other; fails beyond what anybody
@@ -45,7 +46,6 @@ class ClauseReader : public SdlCursor {
   void that_is(Clause& clause);
   RelationTerm relation_term();
   double unit(int dimension, const std::string& what, std::string& word);
-  double distance(std::string& word);
 
   int depth_ = 0;
 };

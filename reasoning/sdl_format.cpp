@@ -25,13 +25,6 @@ void put_line(std::string& out, const std::string& line, const std::string& comm
   out += line + (comment.empty() ? "" : "  # " + comment) + "\n";
 }
 
-std::string pair_word(Relation relation) {
-  for (const auto& word : relation_vocabulary()) {
-    if (word.relation == relation) return std::string(word.pair_words);
-  }
-  return {};
-}
-
 void put_clause(std::string& out, const Clause& clause) {
   put_comments(out, clause.comments, "    ");
   if (clause.kind != ClauseKind::group) {
@@ -42,7 +35,7 @@ void put_clause(std::string& out, const Clause& clause) {
   head.pairwise.clear();
   put_line(out, "    " + clause_text(head), clause.comment);
   for (std::size_t i = 0; i < clause.pairwise.size(); ++i) {
-    put_line(out, "        " + pair_word(clause.pairwise[i].relation),
+    put_line(out, "        " + pair_text(clause.pairwise[i]),
              i < clause.pair_comments.size() ? clause.pair_comments[i] : "");
   }
 }

@@ -221,8 +221,13 @@ class Parser : private ClauseReader {
   void pair_line(Clause& clause) {
     do {
       const Token first = peek();
-      bool found = false;
+      bool found = accept("within");
+      if (found) {
+        RelationTerm& term = clause.pairwise.emplace_back(RelationTerm{Relation::near, {}});
+        term.range.high = distance(term.range.unit);
+      }
       for (const auto& word : relation_vocabulary()) {
+        if (found) break;
         if (word.pair_words.empty() || !accept_words(word.pair_words)) continue;
         clause.pairwise.push_back({word.relation, {}});
         found = true;

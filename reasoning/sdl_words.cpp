@@ -109,6 +109,15 @@ std::string range_text(const Range& range) {
   return (range.strict ? "under " : "at most ") + number_text(range.high / scale) + tail;
 }
 
+std::string pair_text(const RelationTerm& term) {
+  if (term.relation == Relation::near && term.range.has_high())
+    return range_text(term.range).replace(0, std::string_view("at most").size(), "within");
+  for (const auto& word : relation_vocabulary()) {
+    if (word.relation == term.relation) return std::string(word.pair_words);
+  }
+  return {};
+}
+
 namespace {
 
 std::string article(const std::string& noun) {
@@ -203,6 +212,8 @@ std::string clause_text(const Clause& clause) {
       const bool open = clause.count_high == std::numeric_limits<int>::max();
       if (open) {
         text += "at least " + std::to_string(clause.count_low);
+      } else if (clause.count_low == clause.count_high) {
+        text += "exactly " + std::to_string(clause.count_low);
       } else {
         text += std::to_string(clause.count_low) + ".." + std::to_string(clause.count_high);
       }
@@ -210,12 +221,8 @@ std::string clause_text(const Clause& clause) {
               (clause.written_target.empty() ? plural(clause.target) : clause.written_target) +
               ", each pair";
       std::string pairs;
-      for (const auto& term : clause.pairwise) {
-        for (const auto& word : relation_vocabulary()) {
-          if (word.relation == term.relation)
-            pairs += (pairs.empty() ? " " : " and ") + std::string(word.pair_words);
-        }
-      }
+      for (const auto& term : clause.pairwise)
+        pairs += (pairs.empty() ? " " : " and ") + pair_text(term);
       return text + pairs;
     }
   }

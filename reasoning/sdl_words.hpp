@@ -1,6 +1,7 @@
 #pragma once
 // The vocabulary of the language in one table, shared by reader, formatter and the OWL carrier.
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -47,5 +48,8 @@ std::string number_text(double value);
 
 /// "boxes", "shelves"; Ontology::find knows the class by it.
 std::string plural(const std::string& noun);
+
+/// A relation of a pair in a group: "parallel", "within 2 m".
+std::string pair_text(const RelationTerm& term);
 
 }  // namespace scanchor

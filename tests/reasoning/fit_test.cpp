@@ -111,5 +111,46 @@ TEST(Fit, RefusesWhatDoesNotMatch) {
   EXPECT_THROW(fit_backgrounds(ontology, {broken}, {}, "x"), Error);
 }
 
+/// Two ends that face each other, and two that stand one behind the other.
+TrainingScene ends(std::uint64_t seed) {
+  SequentialRandom random(seed);
+  TrainingScene result;
+  std::vector<test::Plate> plates;
+  for (int i = 0; i < 6; ++i) {
+    const bool desk = i % 2 == 0;
+    for (int k = 0; k < 2; ++k) {
+      test::Plate plate;
+      plate.center = {5.0 * i + 1.5 * k, random.uniform(0, 20), 0.4};
+      if (k == 1) plate.center.y() = plates.back().center.y();
+      plate.normal = Eigen::Vector3d::UnitX();
+      plate.along = Eigen::Vector3d::UnitY();
+      plate.length = 0.8;
+      plate.width = desk ? 0.75 : 0.45;
+      plates.push_back(plate);
+      result.classes.push_back(desk ? "desk" : "cabinet");
+    }
+  }
+  result.surfaces = test::make_surfaces(plates);
+  return result;
+}
+
+TEST(Fit, AGroupThatIsAPartIsTaughtByItsWhole) {
+  const auto ontology = parse_ontology(
+      "class desk:\n    horizontal\nclass end part of desk:\n    extension 0.5..1 m\n    vertical\n"
+      "class frame part of desk:\n    exactly 2 ends, each pair\n        parallel\n        within "
+      "2 m\n"
+      "    usually height at least 0.6 m\nclass cabinet:\n    horizontal\n",
+      "x.sdl");
+  std::vector<TrainingScene> scenes;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) scenes.push_back(ends(seed));
+  const auto background = fit_backgrounds(ontology, scenes, {}, "ends");
+  const auto rate =
+      std::find_if(background.rates.begin(), background.rates.end(),
+                   [](const auto& r) { return r.clause == "usually height at least 0.6 m"; });
+  ASSERT_NE(rate, background.rates.end());
+  EXPECT_GT(rate->hit_rate, 0.8) << "frames of desks are frames";
+  EXPECT_LT(rate->background, 0.3) << "pairs of cabinets are none";
+}
+
 }  // namespace
 }  // namespace scanchor

@@ -18,7 +18,7 @@ class shelf,rack part of a floor:   # head
    # in front
    at least 2 floors,each pair   # g
           parallel # p
-          same size
+          same size and  within  190cm
    extension under 200cm
 # the end)";
   const std::string formatted = R"(# about the file
@@ -32,11 +32,20 @@ class shelf, rack part of floor:  # head
     at least 2 floors, each pair  # g
         parallel  # p
         same size
+        within 190 cm
     extension under 200 cm
 
 # the end
 )";
   EXPECT_EQ(format_sdl(text, "x.sdl"), formatted);
+}
+
+TEST(SdlFormat, CountsOfGroups) {
+  for (const std::string count : {"at least 2", "exactly 3", "2..4"}) {
+    const std::string text = "axiom floor:\n    lowest\n\nclass pile:\n    " + count +
+                             " floors, each pair\n        near\n";
+    EXPECT_EQ(format_sdl(text, "x.sdl"), text);
+  }
 }
 
 TEST(SdlFormat, WhatIsSaidOfTargets) {

@@ -45,6 +45,7 @@ class pile:
     2..5 things, each pair
         parallel
         same size and vertically aligned
+        within 80 cm
 class kind is a thing:
     top 1..2 m above a floor
 class piece part of thing:
@@ -75,7 +76,9 @@ class piece part of thing:
   EXPECT_EQ(pile.count_low, 2);
   EXPECT_EQ(pile.count_high, 5);
   EXPECT_EQ(pile.target, "thing");
-  EXPECT_EQ(pile.pairwise.size(), 3U);
+  ASSERT_EQ(pile.pairwise.size(), 4U);
+  EXPECT_EQ(pile.pairwise[3].relation, Relation::near);
+  EXPECT_DOUBLE_EQ(pile.pairwise[3].range.high, 0.8);
   EXPECT_EQ(ontology.classes[3].parent, "thing");
   EXPECT_EQ(ontology.classes[4].part_of, "thing");
 }

@@ -1,0 +1,58 @@
+#include "reasoning/hold_together.hpp"
+
+#include <cmath>
+
+namespace scanchor {
+
+namespace {
+
+constexpr double slack = 0.1;  // [m] a top lies on its frame and not in it
+
+bool lies_within(const Item& item, const Item& group) {
+  const Eigen::Vector3d d = item.center - group.center;
+  return std::abs(d.dot(group.along)) <= group.half_length + slack &&
+         std::abs(d.dot(group.across)) <= group.half_width + slack &&
+         item.center.z() >= group.z_low - slack && item.center.z() <= group.z_high + slack;
+}
+
+void give(std::int32_t from, std::int32_t to, Labelling& labelling) {
+  auto& entity = labelling.entities[from];
+  entity.whole = to;
+  for (const auto s : entity.surfaces) {
+    labelling.entity_of_surface[s] = to;
+    labelling.entities[to].surfaces.push_back(s);
+  }
+}
+
+}  // namespace
+
+void hold_together(const std::vector<std::int32_t>& groups, const std::vector<Item>& items,
+                   const Ontology& ontology, Labelling& labelling) {
+  auto& entities = labelling.entities;
+  for (const auto g : groups) {
+    const int c = ontology.find(entities[g].label);
+    if (c < 0 || ontology.classes[c].part_of.empty()) continue;
+    const std::string& whole = ontology.classes[c].part_of;
+    std::vector<std::int32_t> pieces;
+    std::int32_t main = g;
+    for (std::size_t i = 0; i < labelling.entity_of_surface.size(); ++i) {
+      const int of = ontology.find(entities[i].label);
+      if (of < 0 || entities[i].whole >= 0 || !lies_within(items[i], items[g])) continue;
+      const bool is_whole = entities[i].label == whole;
+      if (!is_whole && ontology.classes[of].part_of != whole) continue;
+      pieces.push_back(static_cast<std::int32_t>(i));
+      if (is_whole && (main == g || entities[i].area > entities[main].area))
+        main = static_cast<std::int32_t>(i);
+    }
+    for (const auto piece : pieces) {
+      if (piece != main) give(piece, main, labelling);
+    }
+    if (main == g) {
+      entities[g].label = whole;
+    } else {
+      give(g, main, labelling);
+    }
+  }
+}
+
+}  // namespace scanchor
