@@ -63,6 +63,26 @@ void widen(Measured& m, double variance) {
   m.high = m.value + std::hypot(m.high - m.value, half);
 }
 
+/// Of the samples just beyond a side, the share that lies so near the plane that the first row of
+/// either surface may have been counted to the other.
+double contact_share(const RectangleSide& side, const RectangleEvidence& evidence, double direction,
+                     const Eigen::Vector2d& middle) {
+  constexpr double near = 5.0;  // [sigma]
+  const Eigen::Vector2d normal = unit_vector(direction + side.turn);
+  const Eigen::Vector2d along(-normal.y(), normal.x());
+  std::size_t beyond = 0;
+  std::size_t in_reach = 0;
+  for (std::size_t i = 0; i < evidence.outside_height.size(); ++i) {
+    const Eigen::Vector2d& p = evidence.outside[i];
+    if (std::abs((p - middle).dot(normal) - side.position) > 1.5 * side.gap ||
+        p.dot(along) < side.low || p.dot(along) > side.high)
+      continue;
+    ++beyond;
+    in_reach += std::abs(evidence.outside_height[i]) < near ? 1 : 0;
+  }
+  return beyond == 0 ? 0.0 : static_cast<double>(in_reach) / static_cast<double>(beyond);
+}
+
 double variance_of(const Measured& m) {
   const double sigma = (m.high - m.low) / (2.0 * 1.959963984540054);
   return sigma * sigma;
@@ -227,12 +247,12 @@ RectangleFit fit_rectangle(const RectangleEvidence& evidence) {
                                   middle + mean_position[axis] * outwards, outwards);
       widen(size[axis], variance);
     }
-    if (evidence.foot) {
-      // Planes that were found have a row more or less than is their own at one side in thirty.
-      constexpr double wrong_rows = 0.03;
-      widen(size[axis], wrong_rows * (sides[axis].gap * sides[axis].gap +
-                                      sides[axis + 2].gap * sides[axis + 2].gap));
-    }
+    const auto wrong_row = [&](std::size_t k) {
+      constexpr double wrong_rows = 0.1;  // of sides that touch another surface: one in ten
+      return wrong_rows * contact_share(sides[k], evidence, direction, middle) * sides[k].gap *
+             sides[k].gap;
+    };
+    widen(size[axis], wrong_row(axis) + wrong_row(axis + 2));
     size[axis].low -= sides[axis].loose + sides[axis + 2].loose;
     // Opposite sides of a sliver may cross within their error: no size is below nothing, and a
     // single row of samples may be as broad as the gaps to both its sides.

@@ -14,6 +14,7 @@ namespace scanchor {
 struct RectangleFit {
   FittedRectangle rectangle;
   Measured area;                    ///< [m2] of the rectangle
+  double loose_area = 0.0;          ///< [m2] of the outline that may be of another thing
   std::array<double, 4> support{};  ///< share of each side (right, top, left, bottom in its own
                                     ///< frame) that true edges lie along
   std::array<bool, 4> censored{};   ///< the side is a shadow or the end of the view

@@ -99,6 +99,15 @@ double position_of_share(const std::vector<Reach>& reaches, double inner, double
   return 0.5 * (low + high);
 }
 
+/// Of a side that no true edge shows: is what lies beyond this position less than half as broad as
+/// the outline?
+void loosen(const std::vector<Reach>& reaches, double inner, double extent, RectangleSide& side) {
+  const double area = area_beyond(reaches, inner);
+  if (side.position <= inner || area > 0.5 * extent * (side.position - inner)) return;
+  side.loose = side.position - inner;
+  side.loose_area = area;
+}
+
 }  // namespace
 
 double main_direction(const std::vector<OutlineEdge>& edges) {
@@ -187,6 +196,7 @@ void guess_side(const std::vector<OutlineEdge>& edges, double direction, Rectang
   if (at == facing.size()) {
     side.position = position_of_share(reaches, innermost, outermost, hardly_anything);
     side.censored = true;
+    loosen(reaches, much, extent, side);
     return;
   }
   side.position = facing[at].position;
@@ -206,6 +216,25 @@ void guess_side(const std::vector<OutlineEdge>& edges, double direction, Rectang
   side.waver /= weight;
   side.support = std::min(1.0, extent > 0.0 ? real / extent : 0.0);
   side.censored = real < 0.5 * weight;
+  if (side.censored) {
+    loosen(reaches, much, extent, side);
+    return;
+  }
+  // Where most of the true edges lie.
+  const auto is_true = [](const Facing& f) {
+    return f.kind == EdgeKind::true_edge || f.kind == EdgeKind::unknown;
+  };
+  double all = 0.0, outer = 0.0;
+  for (const Facing& f : facing) all += is_true(f) ? f.length : 0.0;
+  for (const Facing& f : facing) {
+    outer += is_true(f) ? f.length : 0.0;
+    if (outer < 0.5 * all) continue;
+    if (side.position - f.position > 1.5 * side.gap) {
+      side.loose = side.position - f.position;
+      side.loose_area = area_beyond(reaches, f.position);
+    }
+    break;
+  }
 }
 
 }  // namespace scanchor

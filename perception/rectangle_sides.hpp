@@ -27,6 +27,10 @@ struct RectangleSide {
   double low = 0.0, high = 0.0;  ///< [m] extent along the side
   double support = 0.0;
   bool censored = false;
+  /// [m], [m2] what sticks out and may be another thing: how much farther in most of the true edges
+  /// lie that face this way, and the area beyond them; where no edge is seen, a last twelfth of the
+  /// area that is less than half as broad as the rest.
+  double loose = 0.0, loose_area = 0.0;
 };
 
 inline Eigen::Vector2d unit_vector(double angle) { return {std::cos(angle), std::sin(angle)}; }

@@ -259,6 +259,7 @@ void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surface
     return;
   }
   surface.area = polygon_area(surface.polygons, evidence.edges);
+  surface.area.low = std::max(0.0, surface.area.low - fit.loose_area);
   surface.area.at_least = share.hidden + share.hidden_holes > 0.05 * share.total;
   surface.rectangularness = filled_share(view, surface, gate);
   // Four sides that meet at right angles by construction: a rectangle if the surface fills what

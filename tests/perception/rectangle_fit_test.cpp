@@ -144,5 +144,52 @@ TEST(RectangleFit, NoEvidenceNoRectangle) {
   EXPECT_EQ(fit_rectangle({}).rectangle.length.value, 0.0);
 }
 
+// A box with a second one claimed along half of a side: the size holds both readings.
+TEST(RectangleFit, WhatSticksOutIsInTheInterval) {
+  RectangleEvidence e;
+  const Ring stepped = {{0, 0}, {2, 0}, {2, 1.5}, {1.2, 1.5}, {1.2, 1}, {0, 1}};
+  for (std::size_t i = 0; i < stepped.size(); ++i)
+    e.edges.push_back({stepped[i], stepped[(i + 1) % 6], EdgeKind::true_edge, 0.02, 0.004});
+  const RectangleFit fit = fit_rectangle(e);
+  EXPECT_NEAR(fit.rectangle.width.value, 1.5, 0.01);
+  EXPECT_LT(fit.rectangle.width.low, 1.0);
+  EXPECT_GT(fit.rectangle.width.low, 0.9);
+  EXPECT_NEAR(fit.loose_area, 0.4, 0.02);
+}
+
+// One row of samples, so that the outline's sides cross: nobody knows how broad it is, but it does
+// not reach farther than the gaps to both sides.
+TEST(RectangleFit, ASingleRowIsAsBroadAsItsGaps) {
+  RectangleEvidence e;
+  const auto add = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+    e.edges.push_back({from, to, EdgeKind::true_edge, 0.02, 0.0});
+  };
+  add({1.0, -0.01}, {0.0, -0.01});  // faces up
+  add({0.0, 0.01}, {1.0, 0.01});
+  add({1.0, 0.01}, {1.0, 0.02});
+  add({0.0, 0.02}, {0.0, 0.01});
+  const RectangleFit fit = fit_rectangle(e);
+  EXPECT_LT(fit.rectangle.width.value, 0.01);
+  EXPECT_GE(fit.rectangle.width.high, 0.02);
+  EXPECT_LE(fit.rectangle.width.high, 0.0401);
+}
+
+// The first row of points may be on the wrong side where another surface begins, and nowhere else.
+TEST(RectangleFit, ASideThatTouchesAnotherSurfaceIsKnownLessWell) {
+  SequentialRandom random(21);
+  RectangleEvidence e = evidence_of({1.2, 0.6, 0.3, {0.1, 0.2}}, 0.02, 0.0, random);
+  e.foot = Eigen::Vector2d(5.0, 5.0);
+  e.inside_height.assign(e.inside.size(), 0.0);
+  const auto breadth = [&](double beyond) {
+    e.outside_height.assign(e.outside.size(), beyond);
+    const FittedRectangle r = fit_rectangle(e).rectangle;
+    return r.width.high - r.width.low;
+  };
+  const double far = breadth(-50.0);
+  const double near = breadth(-4.0);
+  EXPECT_GT(near, far + 0.01);
+  EXPECT_LT(near, far + 0.05);  // 2 x 1.96 x sqrt(2 x 0.1) gaps
+}
+
 }  // namespace
 }  // namespace scanchor

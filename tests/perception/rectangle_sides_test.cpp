@@ -84,5 +84,39 @@ TEST(GuessSide, AShadowIsCensored) {
   EXPECT_EQ(side.support, 0.0);
 }
 
+// Half as broad as the rest, and as likely another thing: the side stays where it was, and what
+// lies beyond most of the edge is told.
+TEST(GuessSide, WhatSticksOutIsLoose) {
+  RectangleSide side;
+  side.turn = 0.5 * pi;
+  const Ring stepped = {{0, 0}, {2, 0}, {2, 1.5}, {1.2, 1.5}, {1.2, 1}, {0, 1}};
+  guess_side(edges_of(stepped, 0.0), 0.0, side);
+  EXPECT_NEAR(side.position, 1.5, 1e-9);
+  EXPECT_NEAR(side.loose, 0.5, 1e-9);
+  EXPECT_NEAR(side.loose_area, 0.4, 1e-9);
+  for (int k = 0; k < 4; ++k) {
+    RectangleSide plain;
+    plain.turn = 0.5 * pi * k;
+    guess_side(edges_of(box, 0.0), 0.0, plain);
+    EXPECT_EQ(plain.loose, 0.0);
+    EXPECT_EQ(plain.loose_area, 0.0);
+  }
+}
+
+// In a shadow only the breadth tells.
+TEST(GuessSide, AThinEndInAShadowIsLoose) {
+  RectangleSide side;
+  side.turn = 0.5 * pi;
+  const Ring stepped = {{0, 0}, {2, 0}, {2, 1}, {1.3, 1}, {1.3, 1.2}, {1, 1.2}, {1, 1}, {0, 1}};
+  guess_side(edges_of(stepped, 0.0, EdgeKind::occlusion), 0.0, side);
+  EXPECT_TRUE(side.censored);
+  EXPECT_GT(side.loose, 0.15);
+  EXPECT_NEAR(side.position - side.loose, 0.95, 0.06);
+  RectangleSide plain;
+  plain.turn = 0.5 * pi;
+  guess_side(edges_of(box, 0.0, EdgeKind::occlusion), 0.0, plain);
+  EXPECT_EQ(plain.loose, 0.0);
+}
+
 }  // namespace
 }  // namespace scanchor
