@@ -7,49 +7,13 @@
 #include "core/parallel.hpp"
 
 namespace scanchor {
-namespace {
 
-struct PlaneVote {
-  std::int32_t id;
-  float votes;
-};
-
-// Points by label within each leaf: neighbours ask for these rather than for the points.
-struct LeafVotes {
-  std::vector<std::uint32_t> start;  // of leaf i: votes[start[i] .. start[i + 1])
-  std::vector<PlaneVote> votes;
-
-  void count(const PointPool& pool, const std::vector<std::int32_t>& label) {
-    constexpr std::size_t block = 1024;
-    const std::size_t leaves = pool.leaf.size();
-    start.assign(leaves + 1, 0);
-    std::vector<std::vector<PlaneVote>> found((leaves + block - 1) / block);
-    parallel_blocks(leaves, block, [&](std::size_t begin, std::size_t end) {
-      auto& here = found[begin / block];
-      for (auto l = static_cast<std::uint32_t>(begin); l < end; ++l) {
-        const std::size_t first = here.size();
-        const Cell& cell = pool.cell(l);
-        for (auto p = cell.begin; p < cell.end; ++p) {
-          if (label[p] < 0) continue;
-          std::size_t at = first;
-          while (at < here.size() && here[at].id != label[p]) ++at;
-          if (at == here.size()) here.push_back({label[p], 0.0F});
-          here[at].votes += 1.0F;
-        }
-        start[l + 1] = static_cast<std::uint32_t>(here.size() - first);
-      }
-    });
-    std::partial_sum(start.begin(), start.end(), start.begin());
-    votes.clear();
-    for (const auto& here : found) votes.insert(votes.end(), here.begin(), here.end());
-  }
-};
-
-class Ballot {
+/// Candidates of one leaf, and the choice of a point between them.
+class PlaneChoice::Ballot {
  public:
   explicit Ballot(const std::vector<PlaneReach>& reach) : reach_(reach) {}
-  void clear() {
-    candidates_.clear();
+  void set(const Vote* first, std::size_t count) {
+    candidates_.assign(first, first + count);
     cost_.clear();
   }
   void vote(std::int32_t id, float weight) {
@@ -61,6 +25,8 @@ class Ballot {
     }
     candidates_.push_back({id, weight});
   }
+  [[nodiscard]] const std::vector<Vote>& candidates() const { return candidates_; }
+
   std::int32_t best(float x, float y, float z, float inverse_range) {
     in_reach_.clear();
     for (std::size_t k = 0; k < candidates_.size(); ++k) {
@@ -94,36 +60,85 @@ class Ballot {
     float scatters, scatter;  // distance in scatters of the plane, and one of those [m]
   };
   const std::vector<PlaneReach>& reach_;
-  std::vector<PlaneVote> candidates_;
+  std::vector<Vote> candidates_;
   std::vector<float> cost_;  // of each candidate's votes; empty: nobody asked
   std::vector<InReach> in_reach_;
 };
 
-}  // namespace
+PlaneChoice::PlaneChoice(const PointPool& pool, const BeamNoise& noise)
+    : pool_(pool),
+      noise_(noise),
+      changed_(pool.leaf.size(), 1),
+      candidates_(kept * pool.leaf.size()),
+      candidate_count_(pool.leaf.size(), not_kept) {}
 
-void choose_planes(const PointPool& pool, const BeamNoise& noise, const std::vector<Moments>& fixed,
-                   int rounds, std::vector<GrownPlane>& planes, std::vector<std::int32_t>& label) {
+void PlaneChoice::count_votes(const std::vector<std::int32_t>& label) {
+  constexpr std::size_t block = 1024;
+  const std::size_t leaves = pool_.leaf.size();
+  std::vector<std::uint32_t> start(leaves + 1, 0);
+  std::vector<std::vector<Vote>> found((leaves + block - 1) / block);
+  parallel_blocks(leaves, block, [&](std::size_t begin, std::size_t end) {
+    auto& here = found[begin / block];
+    for (auto l = static_cast<std::uint32_t>(begin); l < end; ++l) {
+      const std::size_t first = here.size();
+      const Cell& cell = pool_.cell(l);
+      for (auto p = cell.begin; p < cell.end; ++p) {
+        if (label[p] < 0) continue;
+        std::size_t at = first;
+        while (at < here.size() && here[at].id != label[p]) ++at;
+        if (at == here.size()) here.push_back({label[p], 0.0F});
+        here[at].votes += 1.0F;
+      }
+      start[l + 1] = static_cast<std::uint32_t>(here.size() - first);
+      if (!start_.empty())
+        changed_[l] = !std::equal(here.begin() + static_cast<std::ptrdiff_t>(first), here.end(),
+                                  votes_.begin() + start_[l], votes_.begin() + start_[l + 1]);
+    }
+  });
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  start_.swap(start);
+  votes_.clear();
+  for (const auto& here : found) votes_.insert(votes_.end(), here.begin(), here.end());
+}
+
+void PlaneChoice::count_around(std::uint32_t leaf, Ballot& ballot) {
   constexpr float flat_votes =
       4.0F;  // a flat cell next door speaks for as many points as a leaf holds
-  const auto& c = pool.cloud;
+  bool stale = candidate_count_[leaf] == not_kept || changed_[leaf] != 0;
+  for (auto k = pool_.start[leaf]; k < pool_.start[leaf + 1] && !stale; ++k)
+    stale = changed_[pool_.to[k]] != 0;
+  Vote* const kept_here = candidates_.data() + kept * leaf;
+  if (!stale) {
+    ballot.set(kept_here, candidate_count_[leaf]);
+    return;
+  }
+  ballot.set(nullptr, 0);
+  const auto ask = [&](std::uint32_t other) {
+    for (auto k = start_[other]; k < start_[other + 1]; ++k)
+      ballot.vote(votes_[k].id, votes_[k].votes);
+  };
+  ask(leaf);
+  for (auto k = pool_.start[leaf]; k < pool_.start[leaf + 1]; ++k) ask(pool_.to[k]);
+  for (auto k = pool_.region_start[leaf]; k < pool_.region_start[leaf + 1]; ++k)
+    ballot.vote(pool_.regions[k], flat_votes);
+  const auto& counted = ballot.candidates();
+  candidate_count_[leaf] =
+      counted.size() <= kept ? static_cast<std::uint8_t>(counted.size()) : not_kept;
+  if (counted.size() <= kept) std::copy(counted.begin(), counted.end(), kept_here);
+}
+
+void PlaneChoice::choose(const std::vector<Moments>& fixed, int rounds,
+                         std::vector<GrownPlane>& planes, std::vector<std::int32_t>& label) {
+  const auto& c = pool_.cloud;
   std::vector<std::int32_t> next = label;
-  LeafVotes votes;
   for (int round = 0; round < rounds; ++round) {
-    votes.count(pool, label);
+    count_votes(label);
     const std::vector<PlaneReach> reach(planes.begin(), planes.end());
-    parallel_blocks(pool.leaf.size(), 512, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(pool_.leaf.size(), 512, [&](std::size_t begin, std::size_t end) {
       Ballot ballot(reach);
       for (auto l = static_cast<std::uint32_t>(begin); l < end; ++l) {
-        ballot.clear();
-        const auto ask = [&](std::uint32_t leaf) {
-          for (auto k = votes.start[leaf]; k < votes.start[leaf + 1]; ++k)
-            ballot.vote(votes.votes[k].id, votes.votes[k].votes);
-        };
-        ask(l);
-        for (auto k = pool.start[l]; k < pool.start[l + 1]; ++k) ask(pool.to[k]);
-        for (auto k = pool.region_start[l]; k < pool.region_start[l + 1]; ++k)
-          ballot.vote(pool.regions[k], flat_votes);
-        const Cell& cell = pool.cell(l);
+        count_around(l, ballot);
+        const Cell& cell = pool_.cell(l);
         for (auto p = cell.begin; p < cell.end; ++p)
           next[p] = ballot.best(c.x[p], c.y[p], c.z[p], c.inverse_range[p]);
       }
@@ -136,7 +151,7 @@ void choose_planes(const PointPool& pool, const BeamNoise& noise, const std::vec
     }
     for (std::size_t r = 0; r < planes.size(); ++r) {
       if (sums[r].n >= 6.0) {
-        planes[r] = grown_plane(sums[r], noise);
+        planes[r] = grown_plane(sums[r], noise_);
       } else {
         planes[r].moments = sums[r];
       }

@@ -82,7 +82,7 @@ SideLikelihood::SideLikelihood(const RectangleSide& side, double sigma,
 
 void SideLikelihood::narrow(const Samples& all, double turn, double most_turn, double low,
                             double high, Samples& near, Bin& before, Bin& after) {
-  near = {};
+  for (auto* values : {&near.across, &near.along, &near.value}) values->clear();
   before = after = {};
   const double c = std::cos(turn);
   const double s = std::sin(turn);

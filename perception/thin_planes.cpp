@@ -283,14 +283,15 @@ void thin_planes(const CanonicalCloud& cloud, const CellTree& tree, const BeamNo
       fixed[r] = Moments{};
     }
   };
-  choose_planes(pool, noise, fixed, 2, work.planes, work.label);
+  PlaneChoice choice(pool, noise);
+  choice.choose(fixed, 2, work.planes, work.label);
   overgrow(work, fixed);
-  choose_planes(pool, noise, fixed, 1, work.planes, work.label);
+  choice.choose(fixed, 1, work.planes, work.label);
   follow(join_planes(meeting_planes(pool, work.label), noise, same_plane, work.planes));
   // Where the sensor is known, what it saw between two pieces tells (connect_planes.hpp).
   if (!noise.sensor_known)
     follow(join_planes(all_pairs(work.planes), noise, surely_same_plane, work.planes));
-  choose_planes(pool, noise, fixed, 2, work.planes, work.label);
+  choice.choose(fixed, 2, work.planes, work.label);
 
   for (std::size_t k = 0; k < pool.place.size(); ++k)
     labels.of_point[pool.place[k]] = work.label[k];
