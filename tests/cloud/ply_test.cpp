@@ -12,7 +12,7 @@ using testing::cloud_with_all_types;
 using testing::data_error;
 using testing::expect_same;
 
-constexpr PlyData kinds[] = {PlyData::ascii, PlyData::little_endian, PlyData::big_endian};
+constexpr PlyData ply_kinds[] = {PlyData::ascii, PlyData::little_endian, PlyData::big_endian};
 
 std::string header(const std::string& format, const std::string& rest) {
   return "ply\nformat " + format + " 1.0\n" + rest + "end_header\n";
@@ -22,7 +22,7 @@ const std::string xyz = "property float x\nproperty float y\nproperty float z\n"
 TEST(Ply, RoundTripOfEveryTypeInEveryKind) {
   for (const bool wide : {false, true}) {
     PointCloud cloud = cloud_with_all_types(wide);
-    for (const PlyData kind : kinds) {
+    for (const PlyData kind : ply_kinds) {
       expect_same(parse_ply(format_ply(cloud, kind, "f"), "f"), cloud);
       PointCloud grid = cloud;
       grid.width = 5;
@@ -170,7 +170,7 @@ TEST(Ply, AbsurdCountsAreNotBelieved) {
 }
 
 TEST(Ply, MutationsNeverCrash) {
-  for (const PlyData kind : kinds) {
+  for (const PlyData kind : ply_kinds) {
     testing::expect_robust(format_ply(cloud_with_all_types(false), kind, "f"), 2000,
                            [](const std::string& bytes) { (void)parse_ply(bytes, "f"); });
   }

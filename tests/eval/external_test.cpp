@@ -12,7 +12,7 @@
 namespace scanchor {
 namespace {
 
-std::string failure_of(const std::string& command, double limit = 20.0) {
+std::string command_failure(const std::string& command, double limit = 20.0) {
   ExternalOptions options;
   options.command = command;
   options.time_limit = limit;
@@ -36,19 +36,19 @@ TEST(External, TakesTheAnswerOfAProgram) {
 }
 
 TEST(External, FailuresHaveACause) {
-  EXPECT_THAT(failure_of("echo first >&2; echo 'no licence' >&2; exit 3 # {scan} {out}"),
+  EXPECT_THAT(command_failure("echo first >&2; echo 'no licence' >&2; exit 3 # {scan} {out}"),
               testing::StrEq("exit code 3: no licence"));
-  EXPECT_THAT(failure_of("kill -SEGV $$ # {scan} {out}"),
+  EXPECT_THAT(command_failure("kill -SEGV $$ # {scan} {out}"),
               testing::HasSubstr("killed by signal 11"));
-  EXPECT_THAT(failure_of("true {scan} {out}"), testing::HasSubstr("left no file"));
-  EXPECT_THAT(failure_of("echo garbage > {out} # {scan}"),
+  EXPECT_THAT(command_failure("true {scan} {out}"), testing::HasSubstr("left no file"));
+  EXPECT_THAT(command_failure("echo garbage > {out} # {scan}"),
               testing::HasSubstr("rows, the scan has"));
-  EXPECT_THAT(failure_of("no-such-program {scan} {out}"), testing::HasSubstr("exit code 127"));
+  EXPECT_THAT(command_failure("no-such-program {scan} {out}"), testing::HasSubstr("exit code 127"));
 }
 
 TEST(External, HangingProgramsAreKilledWithWhatTheyStarted) {
   const auto start = std::chrono::steady_clock::now();
-  EXPECT_THAT(failure_of("sleep 500 & sleep 500 # {scan} {out}", 0.2),
+  EXPECT_THAT(command_failure("sleep 500 & sleep 500 # {scan} {out}", 0.2),
               testing::HasSubstr("killed after 0.2 s"));
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(100));
 }
@@ -61,9 +61,10 @@ TEST(External, CommandMustNameBothFiles) {
 
 TEST(External, TheProgramSeesNoTruth) {
   // The file it is given has positions and no field of the truth.
-  EXPECT_THAT(failure_of("if head -c 2000 {scan} | grep -qa -e label -e instance; then echo leak "
-                         ">&2; exit 9; fi; exit 4 # {out}"),
-              testing::StrEq("exit code 4"));
+  EXPECT_THAT(
+      command_failure("if head -c 2000 {scan} | grep -qa -e label -e instance; then echo leak "
+                      ">&2; exit 9; fi; exit 4 # {out}"),
+      testing::StrEq("exit code 4"));
 }
 
 }  // namespace

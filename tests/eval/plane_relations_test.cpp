@@ -11,7 +11,7 @@
 namespace scanchor {
 namespace {
 
-struct Case {
+struct RelationCase {
   SmallScan made = small_scan();
   Protocol protocol;
   ScanTruth truth = truth_of(made.scan, &made.scene, protocol);
@@ -43,7 +43,7 @@ bool lists_pair(const std::vector<NamedRelation>& facts, const std::string& rela
 }
 
 TEST(PlaneRelations, TheDeskIsAboveTheFloorInTruthAndClaim) {
-  const Case c;
+  const RelationCase c;
   const std::int32_t floor = c.level(0.0), desk = c.level(0.72);
   ASSERT_GE(floor, 0);
   ASSERT_GE(desk, 0);
@@ -57,7 +57,7 @@ TEST(PlaneRelations, TheDeskIsAboveTheFloorInTruthAndClaim) {
 }
 
 TEST(PlaneRelations, PerfectShapesGivePerfectClearRelations) {
-  const Case c;
+  const RelationCase c;
   PlaneRelations lists = c.lists();
   const RelationScore score = score_relations(lists.truth, lists.claims);
   ASSERT_FALSE(score.clear.empty());
@@ -72,7 +72,7 @@ TEST(PlaneRelations, PerfectShapesGivePerfectClearRelations) {
 }
 
 TEST(PlaneRelations, ATurnedSurfaceLosesItsRelations) {
-  Case c;
+  RelationCase c;
   const std::int32_t floor = c.level(0.0);
   for (auto& surface : c.surfaces.surfaces) {
     if (c.truth.plane[surface.inliers.front()] != floor) continue;
@@ -87,7 +87,7 @@ TEST(PlaneRelations, ATurnedSurfaceLosesItsRelations) {
 }
 
 TEST(PlaneRelations, AreScoredWithTheAnswer) {
-  const Case c;
+  const RelationCase c;
   Labelling labelling;
   labelling.entity_of_surface.assign(c.surfaces.surfaces.size(), -1);
   ScanAnswer answer;

@@ -9,7 +9,7 @@
 namespace scanchor {
 namespace {
 
-struct Rows {
+struct PlaneRows {
   std::vector<std::int32_t> truth, said;
   void add(int count, int t, int s) {
     truth.insert(truth.end(), static_cast<std::size_t>(count), t);
@@ -25,14 +25,14 @@ Protocol one_tolerance(double tolerance) {
   return protocol;
 }
 
-HooverCounts at(const Rows& rows, double tolerance, std::size_t planes,
+HooverCounts at(const PlaneRows& rows, double tolerance, std::size_t planes,
                 PlaneMatch* match = nullptr) {
   const std::vector<char> ignored(planes, 0);
   return score_planes(rows.truth, ignored, rows.said, one_tolerance(tolerance), match).hoover[0];
 }
 
 TEST(Planes, FiveClassesByHand) {
-  Rows rows;
+  PlaneRows rows;
   rows.add(90, 0, 0);  // correct: 90 of 100 in a region of 95
   rows.add(5, 1, 0);
   rows.add(10, 0, -1);
@@ -59,7 +59,7 @@ TEST(Planes, FiveClassesByHand) {
 }
 
 TEST(Planes, StricterToleranceFindsLess) {
-  Rows rows;
+  PlaneRows rows;
   rows.add(85, 0, 0);
   rows.add(15, 0, -1);
   EXPECT_EQ(at(rows, 0.8, 1).correct, 1);
@@ -70,7 +70,7 @@ TEST(Planes, StricterToleranceFindsLess) {
 TEST(Planes, OfTwoReadingsTheLargerAverageHolds) {
   // 80 % of the truth is one region, 18 % a second one: correct measures (0.8 + 1) / 2,
   // over-segmentation (0.98 + 1) / 2.
-  Rows rows;
+  PlaneRows rows;
   rows.add(80, 0, 0);
   rows.add(18, 0, 1);
   rows.add(2, 0, -1);
@@ -82,7 +82,7 @@ TEST(Planes, OfTwoReadingsTheLargerAverageHolds) {
 TEST(Planes, EveryTruthAndRegionIsInExactlyOneClass) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SequentialRandom random(seed);
-    Rows rows;
+    PlaneRows rows;
     for (int i = 0; i < 40; ++i) {
       const int t = static_cast<int>(random.below(12));
       rows.add(1 + static_cast<int>(random.below(60)), t,
@@ -100,7 +100,7 @@ TEST(Planes, EveryTruthAndRegionIsInExactlyOneClass) {
 }
 
 TEST(Planes, IgnoredTruthCountsOnNeitherSide) {
-  Rows rows;
+  PlaneRows rows;
   rows.add(100, 0, 0);
   rows.add(40, 1, 1);   // ignored, found
   rows.add(30, -1, 2);  // no plane at all
@@ -115,7 +115,7 @@ TEST(Planes, IgnoredTruthCountsOnNeitherSide) {
 TEST(Planes, AdjustedNumbersPairOneToOne) {
   // One region over two planes: each keeps at most one partner, so a segmenter that joins
   // everything does not win.
-  Rows rows;
+  PlaneRows rows;
   rows.add(60, 0, 0);
   rows.add(40, 1, 0);
   const std::vector<char> ignored = {0, 0};
@@ -125,7 +125,7 @@ TEST(Planes, AdjustedNumbersPairOneToOne) {
 }
 
 TEST(Planes, SmallPlanesHaveARecallOfTheirOwn) {
-  Rows rows;
+  PlaneRows rows;
   rows.add(9900, 0, 0);
   rows.add(60, 1, 1);
   rows.add(20, 1, 0);
@@ -140,7 +140,7 @@ TEST(Planes, SmallPlanesHaveARecallOfTheirOwn) {
 TEST(Planes, RandIndicesAgreeWithLookingAtEveryPair) {
   SequentialRandom random(11);
   for (int trial = 0; trial < 20; ++trial) {
-    Rows rows;
+    PlaneRows rows;
     for (int i = 0; i < 60; ++i) {
       const int t = static_cast<int>(random.below(4));
       rows.add(1, t, random.chance(0.7) ? t : static_cast<int>(random.below(5)) - 1);
@@ -167,7 +167,7 @@ TEST(Planes, RandIndicesAgreeWithLookingAtEveryPair) {
 }
 
 TEST(Planes, RandIndexOfTheSamePartitionIsOneWhateverTheNames) {
-  Rows rows;
+  PlaneRows rows;
   rows.add(30, 0, 7);
   rows.add(20, 1, 3);
   const std::vector<char> ignored = {0, 0};

@@ -12,7 +12,7 @@
 namespace scanchor {
 namespace {
 
-std::string failure_of(const std::string& text) {
+std::string protocol_failure(const std::string& text) {
   try {
     protocol_from_text(text, "mine.yaml");
   } catch (const Error& error) {
@@ -57,21 +57,22 @@ TEST(Protocol, WhatAFileLeavesOutIsAsInItsBase) {
 TEST(Protocol, ErrorsNameFileLineAndCause) {
   using testing::AllOf;
   using testing::HasSubstr;
-  EXPECT_THAT(failure_of("name: m\nmin_point: 3\n"),
+  EXPECT_THAT(protocol_failure("name: m\nmin_point: 3\n"),
               AllOf(HasSubstr("mine.yaml: line 2"), HasSubstr("did you mean 'min_points'?")));
-  EXPECT_THAT(failure_of("name: m\nmin_points: many\n"),
+  EXPECT_THAT(protocol_failure("name: m\nmin_points: many\n"),
               AllOf(HasSubstr("line 2"), HasSubstr("'many' is not a whole number")));
-  EXPECT_THAT(failure_of("name: m\nmatch_iou: 0.3\n"),
+  EXPECT_THAT(protocol_failure("name: m\nmatch_iou: 0.3\n"),
               AllOf(HasSubstr("line 2"), HasSubstr("outside 0.5 .. 1")));
-  EXPECT_THAT(failure_of("name: m\nclasses: [desk, chiar]\n"),
+  EXPECT_THAT(protocol_failure("name: m\nclasses: [desk, chiar]\n"),
               AllOf(HasSubstr("line 2"), HasSubstr("did you mean 'chair'?")));
-  EXPECT_THAT(failure_of("name: m\nap_thresholds: [0.5, 0.4]\n"),
+  EXPECT_THAT(protocol_failure("name: m\nap_thresholds: [0.5, 0.4]\n"),
               AllOf(HasSubstr("line 2"), HasSubstr("must rise")));
-  EXPECT_THAT(failure_of("name: m\nignore_flags: [ghosts]\n"), HasSubstr("did you mean 'ghost'?"));
-  EXPECT_THAT(failure_of("name: m\nbase: cocoa\n"), HasSubstr("did you mean 'coco'?"));
-  EXPECT_THAT(failure_of("min_points: 3\n"), HasSubstr("'name' is missing"));
-  EXPECT_THAT(failure_of("name: [\n"), HasSubstr("mine.yaml: line"));
-  EXPECT_THAT(failure_of("- 1\n"), HasSubstr("is no protocol"));
+  EXPECT_THAT(protocol_failure("name: m\nignore_flags: [ghosts]\n"),
+              HasSubstr("did you mean 'ghost'?"));
+  EXPECT_THAT(protocol_failure("name: m\nbase: cocoa\n"), HasSubstr("did you mean 'coco'?"));
+  EXPECT_THAT(protocol_failure("min_points: 3\n"), HasSubstr("'name' is missing"));
+  EXPECT_THAT(protocol_failure("name: [\n"), HasSubstr("mine.yaml: line"));
+  EXPECT_THAT(protocol_failure("- 1\n"), HasSubstr("is no protocol"));
   EXPECT_THROW(find_protocol("coko"), Error);
 }
 

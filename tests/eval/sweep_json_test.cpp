@@ -11,7 +11,7 @@
 namespace scanchor {
 namespace {
 
-Suite tiny_suite() {
+Suite one_room_suite() {
   Suite suite;
   suite.scenes = 1;
   suite.lidar.lines = 20;
@@ -36,9 +36,9 @@ TEST(SweepJson, FinishedPointsAreFoundAgain) {
   options.folder = folder;
   options.replicates = 10;
   const std::vector<Axis> axes = {parse_axis("lidar.range_sigma=0,0.02")};
-  const auto first = sweep(tiny_suite(), axes, method, options);
+  const auto first = sweep(one_room_suite(), axes, method, options);
   EXPECT_EQ(asked, 2);
-  const auto second = sweep(tiny_suite(), axes, method, options);
+  const auto second = sweep(one_room_suite(), axes, method, options);
   EXPECT_EQ(asked, 2);
   EXPECT_EQ(sweep_to_json(first).dump(), sweep_to_json(second).dump());
   const std::string csv = sweep_to_csv(second);

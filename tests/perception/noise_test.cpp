@@ -11,7 +11,7 @@
 namespace scanchor {
 namespace {
 
-CanonicalCloud canonical(const std::vector<Eigen::Vector3d>& points) {
+CanonicalCloud canonical_of_all(const std::vector<Eigen::Vector3d>& points) {
   std::vector<std::uint32_t> all(points.size());
   std::iota(all.begin(), all.end(), 0U);
   return canonical_cloud(points, all);
@@ -25,7 +25,7 @@ TEST(Noise, SpacingIsTheMedianOfBruteForce) {
     points.emplace_back(density * random.uniform(), density * random.uniform(),
                         0.2 * random.uniform());
   }
-  const auto cloud = canonical(points);
+  const auto cloud = canonical_of_all(points);
   std::vector<float> nearest;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     float best = 1e9F;
@@ -46,7 +46,7 @@ TEST(Noise, EstimateIsTheSensorsNoise) {
     grid.lines = 150;
     grid.range_sigma = sigma;
     const auto scan = support::scan_boxes(support::reference_room(11), grid);
-    const auto cloud = canonical(scan.cloud.points);
+    const auto cloud = canonical_of_all(scan.cloud.points);
     const auto tree = cell_tree(cloud);
     const double spacing = median_spacing(cloud);
     EXPECT_NEAR(estimate_noise(cloud, tree, spacing, {grid.position}) / sigma, 1.0, 0.15) << sigma;
@@ -60,7 +60,7 @@ TEST(Noise, FlatDataGiveTheLeastThatIsBelieved) {
   grid.lines = 100;
   grid.range_sigma = 0.0;
   const auto scan = support::scan_boxes(support::reference_room(12), grid);
-  const auto cloud = canonical(scan.cloud.points);
+  const auto cloud = canonical_of_all(scan.cloud.points);
   const double spacing = median_spacing(cloud);
   EXPECT_LT(estimate_noise(cloud, cell_tree(cloud), spacing, {}),
             2.0 * least_noise(cloud, spacing));
@@ -68,9 +68,9 @@ TEST(Noise, FlatDataGiveTheLeastThatIsBelieved) {
 }
 
 TEST(Noise, TooFewPointsFallBackToTheSpacing) {
-  const auto cloud = canonical({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  const auto cloud = canonical_of_all({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
   EXPECT_DOUBLE_EQ(estimate_noise(cloud, cell_tree(cloud), 1.0, {}), 0.25);
-  EXPECT_EQ(median_spacing(canonical({{0, 0, 0}})), 0.0);
+  EXPECT_EQ(median_spacing(canonical_of_all({{0, 0, 0}})), 0.0);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ using testing::scan_panels;
 using testing::ScannerSetup;
 using testing::ShapeScan;
 
-const Panel wall = box_panel({6, 0, 0}, {0, 1, 0}, {0, 0, 1}, 40, 40);
+const Panel back_wall = box_panel({6, 0, 0}, {0, 1, 0}, {0, 0, 1}, 40, 40);
 
 /// The surface of panel 0, shaped by the default method.
 Surface shaped(const std::vector<Panel>& panels, const ScannerSetup& setup,
@@ -103,9 +103,10 @@ TEST(DefaultShape, AMonitorIsMeasuredToAFewMillimetres) {
     ScannerSetup setup = window(degrees(a), 0, 15);
     setup.seed = static_cast<std::uint64_t>(round);
     const Eigen::Vector3d x(std::sin(radians(random.uniform(4, 12))), 1, 0);
-    const Surface s = shaped(
-        {box_panel({2.75 * std::cos(a), 2.75 * std::sin(a), 0.1}, x, {0, 0, 1}, 0.57, 0.42), wall},
-        setup);
+    const Surface s =
+        shaped({box_panel({2.75 * std::cos(a), 2.75 * std::sin(a), 0.1}, x, {0, 0, 1}, 0.57, 0.42),
+                back_wall},
+               setup);
     squares +=
         std::pow(s.rectangle.length.value - 0.57, 2) + std::pow(s.rectangle.width.value - 0.42, 2);
     points += static_cast<double>(s.inlier_count) / 40;
@@ -125,7 +126,7 @@ TEST(DefaultShape, AShadowedDeskKeepsItsSizeAndSaysWhatIsHidden) {
       box_panel({2.2, 0, 0.75}, {0, 1, 0}, {-1, 0, 0}, 1.6, 0.8),
       box_panel({2.2, -0.29, 1.02}, {0.1, 1, 0}, {0, 0, 1}, 0.57, 0.42),
       box_panel({2.2, 0.29, 1.02}, {-0.1, 1, 0}, {0, 0, 1}, 0.57, 0.42),
-      box_panel({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 20, 20), wall};
+      box_panel({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 20, 20), back_wall};
   const Surface s = shaped(scene, setup);
   EXPECT_NEAR(s.rectangle.length.value, 1.6, 0.02);
   EXPECT_NEAR(s.rectangle.width.value, 0.8, 0.06);
@@ -141,7 +142,7 @@ TEST(DefaultShape, EllDiscAndFrameAreNoRectangles) {
   ScannerSetup setup = window(0, 0, 20);
   Panel ell = box_panel({2, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1, 1);
   ell.outer = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.0}, {0.0, 0.0}, {0.0, 0.5}, {-0.5, 0.5}};
-  const Surface l = shaped({ell, wall}, setup);
+  const Surface l = shaped({ell, back_wall}, setup);
   EXPECT_FALSE(l.is_rectangle);
   EXPECT_NEAR(l.rectangularness, 0.75, 0.04);
   EXPECT_NEAR(l.area.value, 0.75, 0.015);
@@ -153,7 +154,7 @@ TEST(DefaultShape, EllDiscAndFrameAreNoRectangles) {
   disc.outer.clear();
   for (int i = 0; i < 90; ++i)
     disc.outer.emplace_back(0.5 * std::cos(radians(4 * i)), 0.5 * std::sin(radians(4 * i)));
-  const Surface d = shaped({disc, wall}, setup);
+  const Surface d = shaped({disc, back_wall}, setup);
   EXPECT_FALSE(d.is_rectangle);
   EXPECT_NEAR(d.area.value, ring_area(disc.outer), 0.015);
   EXPECT_NEAR(d.rectangularness, pi / 4, 0.05);
@@ -162,7 +163,7 @@ TEST(DefaultShape, EllDiscAndFrameAreNoRectangles) {
   Ring hole = testing::box_ring(0.8, 0.5);
   std::reverse(hole.begin(), hole.end());
   frame.holes = {hole};
-  const Surface f = shaped({frame, wall}, setup);
+  const Surface f = shaped({frame, back_wall}, setup);
   EXPECT_FALSE(f.is_rectangle);
   ASSERT_EQ(f.polygons.size(), 1U);
   ASSERT_EQ(f.polygons[0].holes.size(), 1U);
@@ -190,12 +191,12 @@ TEST(DefaultShape, AStrayPieceSeenApartDoesNotWidenTheRectangle) {
     }
     return Surface{};
   };
-  const Surface s = joined({screen, stray, wall});
+  const Surface s = joined({screen, stray, back_wall});
   EXPECT_EQ(s.polygons.size(), 2U) << "its points are still there";
   EXPECT_NEAR(s.rectangle.length.value, 0.6, 0.02);
   EXPECT_NEAR(s.rectangle.width.value, 0.4, 0.02);
   const Surface shadowed =
-      joined({screen, box_panel({3, 0.4, 0}, {0, 1, 0}, {0, 0, 1}, 0.1, 0.4), wall,
+      joined({screen, box_panel({3, 0.4, 0}, {0, 1, 0}, {0, 0, 1}, 0.1, 0.4), back_wall,
               box_panel({1.5, 0.165, 0}, {0, 1, 0}, {0, 0, 1}, 0.06, 3)});
   EXPECT_NEAR(shadowed.rectangle.length.value, 0.75, 0.03);
 }
@@ -211,8 +212,8 @@ TEST(DefaultShape, WithoutASensorPositionItStillMeasures) {
         (Eigen::AngleAxisd(radians(random.uniform(-30, 30)), Eigen::Vector3d::UnitZ()) *
          Eigen::AngleAxisd(radians(random.uniform(-20, 20)), Eigen::Vector3d::UnitX()))
             .toRotationMatrix();
-    const Surface s =
-        shaped({box_panel({2.5, 0, 0}, turn.col(1), turn.col(2), 0.9, 0.6), wall}, setup, false);
+    const Surface s = shaped(
+        {box_panel({2.5, 0, 0}, turn.col(1), turn.col(2), 0.9, 0.6), back_wall}, setup, false);
     covered += s.rectangle.length.low <= 0.9 && 0.9 <= s.rectangle.length.high;
     bias += (s.area.value / 0.54 - 1.0) / 60;
     for (const EdgeKind kind : s.polygons.front().outer_kind) {

@@ -23,7 +23,7 @@ const Ontology& described() {
   return ontology;
 }
 
-std::vector<test::Plate> room(const test::Plate& more) {
+std::vector<test::Plate> room_with(const test::Plate& more) {
   return {test::floor_plate(), {{0, 2, 0.74}, {0, 0, 1}, {1, 0, 0}, 1.8, 0.8}, more};
 }
 /// Two monitors of 0.56 x 0.34 m side by side, found as one plane.
@@ -36,7 +36,7 @@ Labelling read(test::Scanned& scene, bool alternatives = true) {
 }
 
 TEST(Alternatives, AMergedPairIsFoundAsTwo) {
-  auto scene = test::scanned(room(pair()));
+  auto scene = test::scanned(room_with(pair()));
   test::take_out(scene, 2, -0.02, 0.02);  // the bezels between them
   auto as_one = scene;
   EXPECT_EQ(test::count_things(read(as_one, false), "monitor"), 0);
@@ -64,7 +64,7 @@ TEST(Alternatives, AMergedPairIsFoundAsTwo) {
 }
 
 TEST(Alternatives, WithoutASeamItTakesMore) {
-  auto with = test::scanned(room(pair()));
+  auto with = test::scanned(room_with(pair()));
   auto without = with;
   test::take_out(with, 2, -0.02, 0.02);
   const auto at_seam = read(with).alternatives;
@@ -75,7 +75,7 @@ TEST(Alternatives, WithoutASeamItTakesMore) {
   EXPECT_LT(evenly[0].log_prior, at_seam[0].log_prior - 2.0);
   EXPECT_LT(evenly[0].log_ratio, at_seam[0].log_ratio - 2.0);
   // What is only half a monitor by its height, too, is left alone without a seam.
-  auto low = test::scanned(room({{0, 2.1, 1.0}, {0, -1, 0}, {1, 0, 0}, 1.16, 0.26}));
+  auto low = test::scanned(room_with({{0, 2.1, 1.0}, {0, -1, 0}, {1, 0, 0}, 1.16, 0.26}));
   auto low_with = low;
   test::take_out(low_with, 2, -0.02, 0.02);
   EXPECT_EQ(read(low_with).alternatives.size(), 1U);
@@ -84,20 +84,20 @@ TEST(Alternatives, WithoutASeamItTakesMore) {
 TEST(Alternatives, AVagueClassIsNoReasonToCut) {
   const Ontology vague =
       parse_ontology("class strip:\n    vertical\n    extension at most 0.7 m\n", "x.sdl");
-  auto scene = test::scanned(room(pair()));
+  auto scene = test::scanned(room_with(pair()));
   const auto labelling = interpret(scene.surfaces, scene.cloud, vague, {});
   EXPECT_TRUE(labelling.alternatives.empty());
 }
 
 TEST(Alternatives, UnequalPiecesAreNoPair) {
-  auto scene = test::scanned(room(pair()));
+  auto scene = test::scanned(room_with(pair()));
   test::take_out(scene, 2, 0.12, 0.16);  // 0.70 m and 0.42 m
   EXPECT_TRUE(read(scene).alternatives.empty());
 }
 
 TEST(Alternatives, AWideThingStaysOne) {
   // A board of 1.8 x 0.9 m with a joint in its middle: as it is it fits a class.
-  auto scene = test::scanned(room({{0, 2.4, 1.4}, {0, -1, 0}, {1, 0, 0}, 1.8, 0.9}));
+  auto scene = test::scanned(room_with({{0, 2.4, 1.4}, {0, -1, 0}, {1, 0, 0}, 1.8, 0.9}));
   test::take_out(scene, 2, -0.02, 0.02);
   const auto labelling = read(scene);
   EXPECT_TRUE(labelling.alternatives.empty());
@@ -143,7 +143,7 @@ TEST(Alternatives, TwoDesksWithAGapThatWasSeenStayTwo) {
 }
 
 TEST(Alternatives, AreWrittenAndReadBack) {
-  auto scene = test::scanned(room(pair()));
+  auto scene = test::scanned(room_with(pair()));
   test::take_out(scene, 2, -0.02, 0.02);
   const auto labelling = read(scene);
   const auto back = labelling_from_json(labelling_to_json(labelling, {}), "labels.json");
@@ -156,7 +156,7 @@ TEST(Alternatives, AreWrittenAndReadBack) {
 TEST(Alternatives, NothingToReadAnewChangesNothing) {
   Surfaces none;
   EXPECT_TRUE(read_anew(none, {}, described(), {}).empty());
-  auto scene = test::scanned(room(pair()));
+  auto scene = test::scanned(room_with(pair()));
   for (auto& s : scene.surfaces.surfaces) s.inliers.clear();  // read from a file that left them out
   EXPECT_TRUE(read(scene).alternatives.empty());
   ReasonOptions paper;

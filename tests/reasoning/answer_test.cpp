@@ -10,14 +10,9 @@ namespace {
 using test::Named;
 using Status = Answer::Status;
 
-const Ontology& office() {
-  static const Ontology ontology = test::shipped("office");
-  return ontology;
-}
-
 /// Floor 0; desks 1 (left, with screen 3 on it, window 5 beside it) and 2 (right, larger, bare);
 /// chair 4 before desk 1; board stack 6, 7, 8 at the back with its shelf 9.
-std::vector<Named> room() {
+std::vector<Named> named_room() {
   return {{test::floor_plate(), "floor"},
           {{{-1.5, 2, 0.74}, {0, 0, 1}, {1, 0, 0}, 1.6, 0.8}, "desk"},
           {{{1.5, 2, 0.74}, {0, 0, 1}, {1, 0, 0}, 1.8, 0.9}, "desk"},
@@ -38,9 +33,9 @@ struct Asked {
 Asked ask(const std::string& question, const std::vector<Named>& named, bool shelf = true) {
   auto scene = test::labelled(named);
   if (shelf && named.size() > 8) test::add_group(scene, {6, 7, 8}, "shelf");
-  const SceneThings things(scene.surfaces, office(), scene.labelling);
+  const SceneThings things(scene.surfaces, test::office(), scene.labelling);
   Asked asked;
-  asked.answer = answer(parse_query(question, office()), things);
+  asked.answer = answer(parse_query(question, test::office()), things);
   asked.text = answer_text(asked.answer, things);
   for (const auto& thing : asked.answer.things) asked.ids.push_back(thing.id);
   std::sort(asked.ids.begin(), asked.ids.end());
@@ -57,7 +52,7 @@ struct Truth {
 class AnswerTable : public testing::TestWithParam<Truth> {};
 
 TEST_P(AnswerTable, IsTheTruthOfTheRoom) {
-  const Asked asked = ask(GetParam().question, room());
+  const Asked asked = ask(GetParam().question, named_room());
   EXPECT_EQ(status_word(asked.answer.status), status_word(GetParam().status)) << asked.text;
   EXPECT_EQ(asked.ids, GetParam().ids) << asked.text;
 }
@@ -100,7 +95,7 @@ struct Contrast {
 class ContrastTable : public testing::TestWithParam<Contrast> {};
 
 TEST_P(ContrastTable, OneThingMovedChangesTheAnswer) {
-  auto named = room();
+  auto named = named_room();
   EXPECT_EQ(ask(GetParam().question, named).ids, GetParam().before);
   named[GetParam().moved].plate.center += GetParam().by;
   EXPECT_EQ(ask(GetParam().question, named).ids, GetParam().after);
@@ -119,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& row) { return "q" + std::to_string(row.index); });
 
 TEST(Answer, CountsAndDistances) {
-  const auto two = ask("how many desks", room());
+  const auto two = ask("how many desks", named_room());
   EXPECT_EQ(two.answer.count, 2);
   EXPECT_NEAR(two.answer.expected, 1.8, 1e-9);
   ASSERT_EQ(two.answer.distribution.size(), 3U);
@@ -127,18 +122,18 @@ TEST(Answer, CountsAndDistances) {
   EXPECT_NEAR(two.answer.distribution[1], 0.18, 1e-9);
   EXPECT_NEAR(two.answer.distribution[2], 0.81, 1e-9);
   EXPECT_NEAR(two.answer.exists, 0.99, 1e-9) << "noisy-or";
-  EXPECT_EQ(ask("how many doors", room()).answer.distribution, std::vector<double>{1.0});
-  const auto far = ask("distance from the chair to the smallest desk", room());
+  EXPECT_EQ(ask("how many doors", named_room()).answer.distribution, std::vector<double>{1.0});
+  const auto far = ask("distance from the chair to the smallest desk", named_room());
   ASSERT_TRUE(far.answer.distance);
   // The chair reaches y = 1.525 at z = 0.45, the desk begins at y = 1.6 at z = 0.74.
   EXPECT_NEAR(far.answer.distance->measured, std::hypot(0.29, 0.075), 1e-6);
-  const auto apart = ask("distance from the chair to a door", room());
+  const auto apart = ask("distance from the chair to a door", named_room());
   EXPECT_EQ(apart.answer.status, Status::not_found);
   EXPECT_NE(apart.text.find("nothing in the scene is a door"), std::string::npos) << apart.text;
 }
 
 TEST(Answer, TheClosestMissNamesTheClauseAndTheChange) {
-  const auto miss = ask("chair within 0.3 m of a window", room());
+  const auto miss = ask("chair within 0.3 m of a window", named_room());
   EXPECT_EQ(miss.answer.status, Status::not_found);
   ASSERT_TRUE(miss.answer.closest);
   EXPECT_EQ(miss.answer.closest->id, 4);
@@ -151,14 +146,14 @@ TEST(Answer, TheClosestMissNamesTheClauseAndTheChange) {
   EXPECT_GT(step.measured, 0.9);
   EXPECT_NE(miss.text.find("it would hold from 0.30 m"), std::string::npos) << miss.text;
   // Of two desks the one that fails in one clause is closer than the one that fails in two.
-  const auto desks =
-      ask("desk with a screen and within 0.3 m of a window and that has area over 2 m2", room());
+  const auto desks = ask(
+      "desk with a screen and within 0.3 m of a window and that has area over 2 m2", named_room());
   ASSERT_TRUE(desks.answer.closest);
   EXPECT_EQ(desks.answer.closest->id, 1);
 }
 
 TEST(Answer, WhatWasNotSeenIsNoNo) {
-  auto named = room();
+  auto named = named_room();
   named[2].plate.hidden = 0.8;
   const auto bare = ask("desk with no screen", named);
   EXPECT_EQ(status_word(bare.answer.status), "not_seen") << bare.text;
@@ -173,18 +168,18 @@ TEST(Answer, WhatWasNotSeenIsNoNo) {
 }
 
 TEST(Answer, AmbiguousAsksWhatWouldTellApart) {
-  const auto which = ask("the desk", room());
+  const auto which = ask("the desk", named_room());
   EXPECT_EQ(which.answer.status, Status::ambiguous);
   EXPECT_NE(which.answer.ask.find("the smallest (1 at 1.28 m2) or the largest (2 at 1.62 m2)?"),
             std::string::npos)
       << which.answer.ask;
-  auto sure = room();
+  auto sure = named_room();
   sure[2].probability = 0.6;
   EXPECT_EQ(ask("the desk", sure).answer.status, Status::ok) << "one is much likelier";
 }
 
 TEST(Answer, AnchorsAreWhatARobotGoesBy) {
-  const auto screen = ask("screen on a desk that is near a window", room());
+  const auto screen = ask("screen on a desk that is near a window", named_room());
   ASSERT_EQ(screen.answer.things.size(), 1U);
   EXPECT_EQ(screen.answer.things[0].anchors, Ids{1});
   ASSERT_EQ(screen.answer.things[0].steps.size(), 1U);

@@ -8,13 +8,13 @@
 namespace scanchor {
 namespace {
 
-const char* const text =
+const char* const own_classes =
     "axiom floor:\n    lowest\n\n# about something else\n\n# Tables as sold.\nclass desk, table:\n"
     "    area 1..2 m2\n    parallel to a floor\nclass screen part of desk:\n    on a desk that is "
     "near a floor\n";
 
 TEST(Catalogue, MarkdownSaysAllThatIsKnown) {
-  const std::string page = catalogue_markdown(parse_ontology(text, "own.sdl"));
+  const std::string page = catalogue_markdown(parse_ontology(own_classes, "own.sdl"));
   EXPECT_EQ(page.rfind("# own: 3 classes\n", 0), 0U);
   EXPECT_NE(page.find("## desk\n\nalso called table\n\nTables as sold.\n\n| clause |"),
             std::string::npos)

@@ -42,7 +42,7 @@ test::Plate end(double x) {
   return plate;
 }
 
-test::Plate top(double x, double length) {
+test::Plate table_top(double x, double length) {
   test::Plate plate;
   plate.center = {x, 1.0, 0.74};
   plate.length = length;
@@ -72,14 +72,14 @@ TEST(HoldTogether, OneEndOrEndsTooFarApartAreNone) {
 }
 
 TEST(HoldTogether, PiecesOfATopAndTheFrameAreOneDeskNamedAfterTheLargest) {
-  const auto labelling = labelled({end(0.0), end(1.5), top(0.2, 0.3), top(1.1, 0.7)});
+  const auto labelling = labelled({end(0.0), end(1.5), table_top(0.2, 0.3), table_top(1.1, 0.7)});
   EXPECT_EQ(test::count_things(labelling, "desk"), 1);
   for (const int s : {1, 2, 3, 4}) EXPECT_EQ(labelling.entity_of_surface[s], 4) << s;
   EXPECT_EQ(labelling.entities[4].surfaces.size(), 4U);
 }
 
 TEST(HoldTogether, ADeskBesideTheFrameStaysItsOwn) {
-  const auto labelling = labelled({end(0.0), end(1.5), top(2.4, 1.4)});
+  const auto labelling = labelled({end(0.0), end(1.5), table_top(2.4, 1.4)});
   EXPECT_EQ(test::count_things(labelling, "desk"), 2);
   EXPECT_EQ(labelling.entity_of_surface[3], 3);
   EXPECT_NE(labelling.entity_of_surface[1], 3);

@@ -97,7 +97,7 @@ class BruteForce {
   mutable std::map<std::tuple<int, int, std::size_t>, double> said_;
 };
 
-const char* const classes = R"(
+const char* const matched_classes = R"(
 class top:
     horizontal
     area 0.2..3 m2
@@ -128,7 +128,7 @@ class neighbour:
 )";
 
 TEST(Matcher, EqualsBruteForceOnRandomScenes) {
-  const Ontology ontology = parse_ontology(classes, "x.sdl");
+  const Ontology ontology = parse_ontology(matched_classes, "x.sdl");
   SequentialRandom random(17);
   std::size_t compared = 0;
   for (int scene = 0; scene < 1000; ++scene) {

@@ -12,16 +12,11 @@
 namespace scanchor {
 namespace {
 
-const Ontology& office() {
-  static const Ontology ontology = test::shipped("office");
-  return ontology;
-}
-
 /// Every thing with every other, over and over, no memory, no early end; orders by listing all
 /// subsets of the rivals.
-class BruteForce {
+class EveryAnswer {
  public:
-  explicit BruteForce(const SceneThings& scene) : scene_(scene) {}
+  explicit EveryAnswer(const SceneThings& scene) : scene_(scene) {}
 
   double probability(const QueryRef& ref, std::int32_t id) const {
     const double before = unordered(ref, id);
@@ -152,10 +147,10 @@ TEST(QueryMatch, EqualsBruteForceOnRandomScenes) {
       named.push_back(thing);
     }
     const auto scene = test::labelled(named);
-    const SceneThings things(scene.surfaces, office(), scene.labelling);
-    const BruteForce brute(things);
+    const SceneThings things(scene.surfaces, test::office(), scene.labelling);
+    const EveryAnswer brute(things);
     for (const auto* question : questions) {
-      const Query query = parse_query(question, office());
+      const Query query = parse_query(question, test::office());
       QueryMatcher matcher(things);
       std::vector<double> p(named.size(), 0.0);
       for (const auto& m : matcher.match(query.refs.front())) p[m.id] = m.probability;
@@ -171,8 +166,8 @@ TEST(QueryMatch, EqualsBruteForceOnRandomScenes) {
 
 TEST(QueryMatch, PlacesBeyondAllThingsAreNobodys) {
   auto scene = test::labelled({{test::desk_plate(), "desk"}, {test::screen_plate(), "monitor"}});
-  const SceneThings things(scene.surfaces, office(), scene.labelling);
-  const Query query = parse_query("2147483647th highest thing", office());
+  const SceneThings things(scene.surfaces, test::office(), scene.labelling);
+  const Query query = parse_query("2147483647th highest thing", test::office());
   QueryMatcher matcher(things);
   for (const auto& m : matcher.match(query.refs.front())) EXPECT_EQ(m.rank, 0.0);
 }
@@ -180,9 +175,9 @@ TEST(QueryMatch, PlacesBeyondAllThingsAreNobodys) {
 TEST(QueryMatch, NearestToWantsWhatItIsTo) {
   auto scene =
       test::labelled({{test::desk_plate(), "desk", 0.8}, {test::screen_plate(), "monitor", 0.9}});
-  const SceneThings things(scene.surfaces, office(), scene.labelling);
-  const Query found = parse_query("screen nearest to a desk", office());
-  const Query missed = parse_query("screen nearest to a door", office());
+  const SceneThings things(scene.surfaces, test::office(), scene.labelling);
+  const Query found = parse_query("screen nearest to a desk", test::office());
+  const Query missed = parse_query("screen nearest to a door", test::office());
   QueryMatcher matcher(things);
   const RefMatch& screen = matcher.match(found.refs.front()).front();
   EXPECT_TRUE(screen.holds());
@@ -196,10 +191,10 @@ TEST(QueryMatch, TargetsHaveThePlaceThatIsSaidOfThem) {
   test::Plate upper = lower;
   upper.center += Eigen::Vector3d(5.0, 0.0, 0.5);
   auto scene = test::labelled({{lower, "desk"}, {near_it, "monitor"}, {upper, "desk"}});
-  const SceneThings things(scene.surfaces, office(), scene.labelling);
+  const SceneThings things(scene.surfaces, test::office(), scene.labelling);
   QueryMatcher matcher(things);
-  const Query right = parse_query("screen near the lowest desk", office());
-  const Query wrong = parse_query("screen near the highest desk", office());
+  const Query right = parse_query("screen near the lowest desk", test::office());
+  const Query wrong = parse_query("screen near the highest desk", test::office());
   EXPECT_TRUE(matcher.match(right.refs.front()).front().holds());
   EXPECT_FALSE(matcher.match(wrong.refs.front()).front().holds());
 }
@@ -207,11 +202,11 @@ TEST(QueryMatch, TargetsHaveThePlaceThatIsSaidOfThem) {
 TEST(QueryMatch, CountsMayBeDenied) {
   auto scene =
       test::labelled({{test::desk_plate(), "desk", 1.0}, {test::screen_plate(), "monitor", 0.9}});
-  const SceneThings things(scene.surfaces, office(), scene.labelling);
+  const SceneThings things(scene.surfaces, test::office(), scene.labelling);
   QueryMatcher matcher(things);
-  const Query one = parse_query("desk with exactly 1 screen", office());
-  const Query not_one = parse_query("desk not with exactly 1 screen", office());
-  const Query not_two = parse_query("desk not with 2 screens", office());
+  const Query one = parse_query("desk with exactly 1 screen", test::office());
+  const Query not_one = parse_query("desk not with exactly 1 screen", test::office());
+  const Query not_two = parse_query("desk not with 2 screens", test::office());
   const double p = matcher.match(one.refs.front()).front().probability;
   EXPECT_GT(p, 0.5);
   EXPECT_NEAR(matcher.match(not_one.refs.front()).front().probability, 1.0 - p, 1e-9);
@@ -221,13 +216,13 @@ TEST(QueryMatch, CountsMayBeDenied) {
 TEST(QueryMatch, SidesNeedAPlaceToLookFrom) {
   auto scene = test::labelled({{test::desk_plate(), "desk"}, {test::screen_plate(), "monitor"}});
   scene.surfaces.sensor_positions.clear();
-  const SceneThings things(scene.surfaces, office(), scene.labelling);
+  const SceneThings things(scene.surfaces, test::office(), scene.labelling);
   for (const auto* question : {"nearest desk", "screen left of a desk", "leftmost desk"}) {
-    const Query query = parse_query(question, office());
+    const Query query = parse_query(question, test::office());
     QueryMatcher matcher(things);
     EXPECT_THROW(matcher.match(query.refs.front()), Error) << question;
   }
-  const Query query = parse_query("screen nearest to a desk", office());
+  const Query query = parse_query("screen nearest to a desk", test::office());
   EXPECT_EQ(QueryMatcher(things).match(query.refs.front()).size(), 1U);
 }
 

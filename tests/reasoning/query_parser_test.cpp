@@ -8,93 +8,91 @@
 namespace scanchor {
 namespace {
 
-const Ontology& office() {
-  static const Ontology ontology = test::shipped("office");
-  return ontology;
-}
-
-struct Row {
+struct AskedRow {
   const char* asked;
   const char* read;
 };
 
-class QueryTable : public testing::TestWithParam<Row> {};
+class QueryTable : public testing::TestWithParam<AskedRow> {};
 
 TEST_P(QueryTable, IsReadAsMeant) {
-  const Query query = parse_query(GetParam().asked, office());
+  const Query query = parse_query(GetParam().asked, test::office());
   EXPECT_EQ(query_text(query), GetParam().read);
-  EXPECT_EQ(query_text(parse_query(query_text(query), office())), GetParam().read)
+  EXPECT_EQ(query_text(parse_query(query_text(query), test::office())), GetParam().read)
       << "read again it means the same";
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Rows, QueryTable,
     testing::Values(
-        Row{"desk", "a desk"}, Row{"Desks", "a desk"}, Row{"find the screen", "the monitor"},
-        Row{"where is the door?", "the door"}, Row{"screen on a desk", "a monitor on a desk"},
-        Row{"screens that are on desks", "a monitor on a desk"},
-        Row{"box on a desk near a window", "a box on a desk near a window"},
-        Row{"box on a desk and near a window", "a box on a desk and near a window"},
-        Row{"box on a desk that is near a window and rectangular and near a door",
-            "a box on a desk (near a window and that is rectangular and near a door)"},
-        Row{"box on a desk (near a window) and near a door",
-            "a box on a desk (near a window) and near a door"},
-        Row{"box that is on a desk and is near a window and has area over 1 m2",
-            "a box on a desk and near a window and that has area over 1 m2"},
-        Row{"desk with no screen", "a desk without a monitor"},
-        Row{"desk without a screen", "a desk without a monitor"},
-        Row{"desk with a screen", "a desk with a monitor"},
-        Row{"desk with 2 screens", "a desk with exactly 2 monitors"},
-        Row{"desk with at least 2 screens near a door",
-            "a desk with at least 2 monitors near a door"},
-        Row{"desk with area over 1 m2", "a desk that has area over 1 m2"},
-        Row{"nearest desk", "the nearest desk"},
-        Row{"the nearest chair to a desk", "the chair nearest to a desk"},
-        Row{"chair farthest from the door", "the chair farthest from the door"},
-        Row{"second largest window", "the second largest window"},
-        Row{"second board from the top of the shelf",
-            "the second highest shelf board of the shelf"},
-        Row{"2nd board from the bottom of a shelf", "the second lowest shelf board of a shelf"},
-        Row{"last board from the top", "the lowest shelf board"},
-        Row{"top board of the shelf", "the highest shelf board of the shelf"},
-        Row{"third monitor from the left", "the third leftmost monitor"},
-        Row{"side of the shelf", "a side of the shelf"},
-        Row{"chair left of the shelf seen from the robot", "a chair left of the shelf"},
-        Row{"box between a desk and a door", "a box between a desk and a door"},
-        Row{"box between a desk near a door and a window that is rectangular",
-            "a box between a desk (near a door) and a window that is rectangular"},
-        Row{"what is on the desk", "a thing on the desk"},
-        Row{"thing within 0.5 m of a door", "a thing within 0.5 m of a door"},
-        Row{"chair not near a desk", "a chair not near a desk"},
-        Row{"board that has top at most 1 m above a floor",
-            "a shelf board top at most 1 m above a floor"},
-        Row{"how many chairs near a desk", "count chairs near a desk"},
-        Row{"how many chairs are there", "count chairs"},
-        Row{"how many chairs are near a desk", "count chairs near a desk"},
-        Row{"how many boards", "count shelf boards"}, Row{"count things", "count things"},
-        Row{"desk with 1 screen", "a desk with exactly 1 monitor"},
-        Row{"desk not with 2 screens", "a desk not with exactly 2 monitors"},
-        Row{"last nearest chair on the second desk from the left",
-            "the farthest chair on the second leftmost desk"},
-        Row{"second chair nearest to a desk", "the second chair nearest to a desk"},
-        Row{"last chair nearest to a desk", "the chair farthest from a desk"},
-        Row{"where is the screen that is nearest to the door and on a desk",
-            "the monitor (on a desk) nearest to the door"},
-        Row{"box near a desk (with a screen) nearest to a door that is vertical",
-            "a box near the desk (with a monitor) nearest to a door (that is vertical)"},
-        Row{"which desks are near a window", "a desk near a window"},
-        Row{"how far is it from a desk to a door", "distance from a desk to a door"},
-        Row{"is there a chair near a desk?", "is there a chair near a desk"},
-        Row{"Are there chairs", "is there a chair"},
-        Row{"distance from the door to a desk", "distance from the door to a desk"},
-        Row{"distance from the nearest desk to a door", "distance from the nearest desk to a door"},
-        Row{"distance between the door and a desk", "distance from the door to a desk"},
-        Row{"how far is the door from a desk", "distance from the door to a desk"}),
+        AskedRow{"desk", "a desk"}, AskedRow{"Desks", "a desk"},
+        AskedRow{"find the screen", "the monitor"}, AskedRow{"where is the door?", "the door"},
+        AskedRow{"screen on a desk", "a monitor on a desk"},
+        AskedRow{"screens that are on desks", "a monitor on a desk"},
+        AskedRow{"box on a desk near a window", "a box on a desk near a window"},
+        AskedRow{"box on a desk and near a window", "a box on a desk and near a window"},
+        AskedRow{"box on a desk that is near a window and rectangular and near a door",
+                 "a box on a desk (near a window and that is rectangular and near a door)"},
+        AskedRow{"box on a desk (near a window) and near a door",
+                 "a box on a desk (near a window) and near a door"},
+        AskedRow{"box that is on a desk and is near a window and has area over 1 m2",
+                 "a box on a desk and near a window and that has area over 1 m2"},
+        AskedRow{"desk with no screen", "a desk without a monitor"},
+        AskedRow{"desk without a screen", "a desk without a monitor"},
+        AskedRow{"desk with a screen", "a desk with a monitor"},
+        AskedRow{"desk with 2 screens", "a desk with exactly 2 monitors"},
+        AskedRow{"desk with at least 2 screens near a door",
+                 "a desk with at least 2 monitors near a door"},
+        AskedRow{"desk with area over 1 m2", "a desk that has area over 1 m2"},
+        AskedRow{"nearest desk", "the nearest desk"},
+        AskedRow{"the nearest chair to a desk", "the chair nearest to a desk"},
+        AskedRow{"chair farthest from the door", "the chair farthest from the door"},
+        AskedRow{"second largest window", "the second largest window"},
+        AskedRow{"second board from the top of the shelf",
+                 "the second highest shelf board of the shelf"},
+        AskedRow{"2nd board from the bottom of a shelf",
+                 "the second lowest shelf board of a shelf"},
+        AskedRow{"last board from the top", "the lowest shelf board"},
+        AskedRow{"top board of the shelf", "the highest shelf board of the shelf"},
+        AskedRow{"third monitor from the left", "the third leftmost monitor"},
+        AskedRow{"side of the shelf", "a side of the shelf"},
+        AskedRow{"chair left of the shelf seen from the robot", "a chair left of the shelf"},
+        AskedRow{"box between a desk and a door", "a box between a desk and a door"},
+        AskedRow{"box between a desk near a door and a window that is rectangular",
+                 "a box between a desk (near a door) and a window that is rectangular"},
+        AskedRow{"what is on the desk", "a thing on the desk"},
+        AskedRow{"thing within 0.5 m of a door", "a thing within 0.5 m of a door"},
+        AskedRow{"chair not near a desk", "a chair not near a desk"},
+        AskedRow{"board that has top at most 1 m above a floor",
+                 "a shelf board top at most 1 m above a floor"},
+        AskedRow{"how many chairs near a desk", "count chairs near a desk"},
+        AskedRow{"how many chairs are there", "count chairs"},
+        AskedRow{"how many chairs are near a desk", "count chairs near a desk"},
+        AskedRow{"how many boards", "count shelf boards"}, AskedRow{"count things", "count things"},
+        AskedRow{"desk with 1 screen", "a desk with exactly 1 monitor"},
+        AskedRow{"desk not with 2 screens", "a desk not with exactly 2 monitors"},
+        AskedRow{"last nearest chair on the second desk from the left",
+                 "the farthest chair on the second leftmost desk"},
+        AskedRow{"second chair nearest to a desk", "the second chair nearest to a desk"},
+        AskedRow{"last chair nearest to a desk", "the chair farthest from a desk"},
+        AskedRow{"where is the screen that is nearest to the door and on a desk",
+                 "the monitor (on a desk) nearest to the door"},
+        AskedRow{"box near a desk (with a screen) nearest to a door that is vertical",
+                 "a box near the desk (with a monitor) nearest to a door (that is vertical)"},
+        AskedRow{"which desks are near a window", "a desk near a window"},
+        AskedRow{"how far is it from a desk to a door", "distance from a desk to a door"},
+        AskedRow{"is there a chair near a desk?", "is there a chair near a desk"},
+        AskedRow{"Are there chairs", "is there a chair"},
+        AskedRow{"distance from the door to a desk", "distance from the door to a desk"},
+        AskedRow{"distance from the nearest desk to a door",
+                 "distance from the nearest desk to a door"},
+        AskedRow{"distance between the door and a desk", "distance from the door to a desk"},
+        AskedRow{"how far is the door from a desk", "distance from the door to a desk"}),
     [](const auto& row) { return "q" + std::to_string(row.index); });
 
 std::string error_of(const std::string& asked) {
   try {
-    parse_query(asked, office());
+    parse_query(asked, test::office());
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::wrong_usage);
     return error.what();
@@ -131,8 +129,8 @@ TEST(QueryParser, ErrorsNameColumnCaretAndRemedy) {
 }
 
 TEST(QueryParser, CountsMeanAll) {
-  EXPECT_FALSE(parse_query("count the chairs", office()).refs.front().definite);
-  EXPECT_TRUE(parse_query("find the chair", office()).refs.front().definite);
+  EXPECT_FALSE(parse_query("count the chairs", test::office()).refs.front().definite);
+  EXPECT_TRUE(parse_query("find the chair", test::office()).refs.front().definite);
 }
 
 TEST(QueryParser, DeepQuestionsEndInAnError) {
@@ -164,8 +162,9 @@ TEST(QueryParser, SurvivesAnyText) {
       if (text.empty()) text = base;
     }
     try {
-      const Query query = parse_query(text, office());
-      EXPECT_EQ(query_text(parse_query(query_text(query), office())), query_text(query)) << text;
+      const Query query = parse_query(text, test::office());
+      EXPECT_EQ(query_text(parse_query(query_text(query), test::office())), query_text(query))
+          << text;
       ++read;
     } catch (const Error& error) {
       EXPECT_EQ(std::string(error.what()).rfind("question:1:", 0), 0U) << error.what();

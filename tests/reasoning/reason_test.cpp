@@ -15,7 +15,7 @@ namespace {
 using test::labels;
 using Labels = std::vector<std::string>;
 
-std::vector<test::Plate> office() {
+std::vector<test::Plate> office_plates() {
   auto plates = test::paper_room();
   for (const auto& board : test::shelf_boards(4)) plates.push_back(board);
   return plates;
@@ -33,14 +33,14 @@ TEST(Reason, NamesThePapersRoom) {
 }
 
 TEST(Reason, NamesTheOffice) {
-  const auto labelling = reason(test::make_surfaces(office()), test::shipped("office"), {});
+  const auto labelling = reason(test::make_surfaces(office_plates()), test::shipped("office"), {});
   EXPECT_EQ(labels(labelling), office_labels);
   EXPECT_EQ(test::count_things(labelling, "shelf"), 1);
   EXPECT_EQ(test::count_things(labelling, "monitor"), 2);
 }
 
 TEST(Reason, DeskTopThatIsHalfInTheShadow) {
-  auto plates = office();
+  auto plates = office_plates();
   plates[6].fill = 0.6;
   plates[6].length = 1.2;
   plates[6].center.x() -= 0.2;
@@ -51,7 +51,7 @@ TEST(Reason, DeskTopThatIsHalfInTheShadow) {
 
 TEST(Reason, OrderOfTheSurfacesDoesNotMatter) {
   SequentialRandom random(4);
-  auto plates = office();
+  auto plates = office_plates();
   const auto surfaces = test::make_surfaces(plates);
   const auto ontology = test::shipped("office");
   const auto first = reason(surfaces, ontology, {});
@@ -72,7 +72,7 @@ TEST(Reason, OrderOfTheSurfacesDoesNotMatter) {
 
 TEST(Reason, FrameDoesNotMatterWhenUpIsGiven) {
   SequentialRandom random(8);
-  const auto surfaces = test::make_surfaces(office());
+  const auto surfaces = test::make_surfaces(office_plates());
   const auto ontology = test::shipped("office");
   for (int i = 0; i < 5; ++i) {
     Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
@@ -93,9 +93,9 @@ TEST(Reason, TiltedGravityIsMended) {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   T.linear() =
       Eigen::AngleAxisd(radians(3.5), Eigen::Vector3d(1, 1, 0).normalized()).toRotationMatrix();
-  EXPECT_EQ(
-      labels(reason(test::moved(test::make_surfaces(office()), T), test::shipped("office"), {})),
-      office_labels);
+  EXPECT_EQ(labels(reason(test::moved(test::make_surfaces(office_plates()), T),
+                          test::shipped("office"), {})),
+            office_labels);
 }
 
 // Honest answers to what cannot be known.
@@ -119,7 +119,7 @@ TEST(Reason, WithoutAFloorNothingStandsOnIt) {
 }
 
 TEST(Reason, UpsideDownIsNotNamedWithConfidence) {
-  auto plates = office();
+  auto plates = office_plates();
   for (int i = 0; i < 4; ++i) {  // workplaces in a row
     const double x = -2.1 + 1.45 * i;
     plates.push_back({{x, 0.0, 0.74}, {0, 0, 1}, {1, 0, 0}, 1.4, 0.75});
@@ -146,7 +146,7 @@ TEST(Reason, OneClassIsNotTheAnswerToEverything) {
       "class desk:\n    area 0.9..1.7 m2\n    extension 1.2..2 m\n    rectangular\n    "
       "horizontal\n",
       "x.sdl");
-  const auto all = labels(reason(test::make_surfaces(office()), ontology, {}));
+  const auto all = labels(reason(test::make_surfaces(office_plates()), ontology, {}));
   EXPECT_EQ(std::count(all.begin(), all.end(), "desk"), 1);
 }
 
@@ -164,7 +164,7 @@ TEST(Reason, ContradictionsHoldForNothing) {
       "class a:\n    horizontal\n    vertical\nclass b:\n    extension at most 1 m\n    extension "
       "at least 3 m\n",
       "x.sdl");
-  for (const auto& label : labels(reason(test::make_surfaces(office()), ontology, {})))
+  for (const auto& label : labels(reason(test::make_surfaces(office_plates()), ontology, {})))
     EXPECT_EQ(label, "unknown");
 }
 
@@ -172,13 +172,13 @@ TEST(Reason, BadInputIsRefused) {
   ReasonOptions options;
   options.mode = "papre";
   EXPECT_THROW(reason(Surfaces{}, test::shipped("paper"), options), Error);
-  auto surfaces = test::make_surfaces(office());
+  auto surfaces = test::make_surfaces(office_plates());
   surfaces.surfaces[2].plane.normal.x() = NAN;
   EXPECT_THROW(reason(surfaces, test::shipped("paper"), {}), Error);
 }
 
 TEST(Reason, SurfacesWithoutShapeAreUnknown) {
-  auto surfaces = test::make_surfaces(office());
+  auto surfaces = test::make_surfaces(office_plates());
   for (auto& s : surfaces.surfaces) {
     s.polygons.clear();
     s.rectangle = {};

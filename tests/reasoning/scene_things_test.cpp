@@ -10,11 +10,7 @@ namespace {
 
 using test::Named;
 
-const Ontology& office() {
-  static const Ontology ontology = test::shipped("office");
-  return ontology;
-}
-std::vector<int> of(const std::string& name) { return {office().find(name)}; }
+std::vector<int> of(const std::string& name) { return {test::office().find(name)}; }
 
 TEST(SceneThings, PartsAreNoWholesAndMembersAreOfTheirKind) {
   auto scene =
@@ -26,7 +22,7 @@ TEST(SceneThings, PartsAreNoWholesAndMembersAreOfTheirKind) {
   scene.labelling.entities[3].classes.insert(scene.labelling.entities[3].classes.begin(),
                                              {"desk", 0.75});
   test::add_group(scene, {1, 2}, "shelf", 0.85);
-  const SceneThings things(scene.surfaces, office(), scene.labelling);
+  const SceneThings things(scene.surfaces, test::office(), scene.labelling);
   EXPECT_NEAR(things.probability(0, of("desk")), 0.8, 1e-12);
   EXPECT_NEAR(things.probability(3, of("desk")), 0.05, 1e-12);
   EXPECT_NEAR(things.probability(3, of("desk side")), 0.7, 1e-12);
@@ -47,7 +43,7 @@ TEST(SceneThings, AStandThatWasNotSeenHoldsAScreenUpButNoPicture) {
         {{{1, 1.6, 0.74 + bottom + 0.21}, {0, -1, 0}, {1, 0, 0}, 0.57, 0.42}, "monitor"},
         {{{0, wall_y, 1.35}, {0, -1, 0}, {1, 0, 0}, 6.0, 2.7}, "wall"}};
     const auto scene = test::labelled(named);
-    return SceneThings(scene.surfaces, office(), scene.labelling)
+    return SceneThings(scene.surfaces, test::office(), scene.labelling)
         .relate({Relation::on, {}}, 1, 0)
         .likelihood;
   };
@@ -62,7 +58,8 @@ TEST(SceneThings, PicturesAreOnTheirWall) {
     const auto scene =
         test::labelled({{{{0, 2.5, 1.35}, {0, -1, 0}, {1, 0, 0}, 6.0, 2.7}, "wall"},
                         {{{x, 2.5 - before, 1.5}, {0, -1, 0}, {1, 0, 0}, 1.0, 0.7}, "picture"}});
-    return SceneThings(scene.surfaces, office(), scene.labelling).relate({Relation::on, {}}, 1, 0);
+    return SceneThings(scene.surfaces, test::office(), scene.labelling)
+        .relate({Relation::on, {}}, 1, 0);
   };
   EXPECT_GT(on_wall(0.03, 0.0).likelihood, 0.95);
   EXPECT_NEAR(on_wall(0.03, 0.0).measured, 0.03, 1e-6);
@@ -75,7 +72,7 @@ TEST(SceneThings, Between) {
     const auto scene = test::labelled({{{{0, 0, 0.7}, {0, 0, 1}, {1, 0, 0}, 1.0, 0.6}, "desk"},
                                        {{{4, 0, 1}, {-1, 0, 0}, {0, 1, 0}, 6.0, 2.0}, "wall"},
                                        {{{x, y, 0.45}, {0, 0, 1}, {1, 0, 0}, 0.4, 0.4}, "chair"}});
-    return SceneThings(scene.surfaces, office(), scene.labelling).between(2, 0, 1).likelihood;
+    return SceneThings(scene.surfaces, test::office(), scene.labelling).between(2, 0, 1).likelihood;
   };
   EXPECT_GT(between(2, 0), 0.99);
   EXPECT_GT(between(1.5, 0.3), 0.95);
@@ -86,7 +83,7 @@ TEST(SceneThings, Between) {
 
 TEST(SceneThings, RefusesALabellingOfOtherSurfaces) {
   const auto scene = test::labelled({{test::desk_plate(), "desk"}});
-  EXPECT_THROW(SceneThings(test::make_surfaces({}), office(), scene.labelling), Error);
+  EXPECT_THROW(SceneThings(test::make_surfaces({}), test::office(), scene.labelling), Error);
 }
 
 TEST(SceneThings, RefusesGroupsOfNothingOrOfThemselves) {
@@ -94,7 +91,7 @@ TEST(SceneThings, RefusesGroupsOfNothingOrOfThemselves) {
     auto scene = test::labelled({{test::desk_plate(), "desk"}, {test::screen_plate(), "monitor"}});
     test::add_group(scene, {0, 1}, "shelf");
     scene.labelling.entities.back().members = members;
-    EXPECT_THROW(SceneThings(scene.surfaces, office(), scene.labelling), Error);
+    EXPECT_THROW(SceneThings(scene.surfaces, test::office(), scene.labelling), Error);
   }
 }
 

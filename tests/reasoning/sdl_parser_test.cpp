@@ -8,7 +8,7 @@
 namespace scanchor {
 namespace {
 
-std::string error_of(const std::string& text) {
+std::string parse_error(const std::string& text) {
   try {
     parse_ontology(text, "own.sdl");
   } catch (const Error& error) {
@@ -84,12 +84,12 @@ class piece part of thing:
 }
 
 TEST(SdlParser, ErrorsNamePlaceLineCaretAndRemedy) {
-  EXPECT_EQ(error_of("class desk:\n    aera 1..2 m2\n"),
+  EXPECT_EQ(parse_error("class desk:\n    aera 1..2 m2\n"),
             "own.sdl:2:5: unknown clause 'aera'; did you mean 'area'?\n"
             "      aera 1..2 m2\n"
             "      ^");
   const auto has = [&](const std::string& text, const std::string& part) {
-    EXPECT_NE(error_of(text).find(part), std::string::npos) << error_of(text);
+    EXPECT_NE(parse_error(text).find(part), std::string::npos) << parse_error(text);
   };
   has("class desk:\n    area 1..2\n", "own.sdl:2:14: a unit is missing");
   has("class desk:\n    area 1..2 m\n", "'area' cannot be measured in m");
@@ -143,7 +143,7 @@ TEST(SdlParser, ReadsWhatIsSaidOfATarget) {
 TEST(SdlParser, ErrorsBehindThatIs) {
   const auto has = [&](const std::string& clause, const std::string& part) {
     const std::string text = "class a:\n    lowest\nclass b:\n    " + clause + "\n";
-    EXPECT_NE(error_of(text).find(part), std::string::npos) << error_of(text);
+    EXPECT_NE(parse_error(text).find(part), std::string::npos) << parse_error(text);
   };
   has("on an a that is", "own.sdl:4:20: unknown clause ''");
   has("on an a that is horizontl",
@@ -154,8 +154,8 @@ TEST(SdlParser, ErrorsBehindThatIs) {
   has("usually at least 2 a, each pair", "'usually' cannot stand before the members of a group");
   has("on an a (that is lowest", "the bracket is not closed");
   has("on an a (lowest)", "a bracket behind a class goes on with 'that is ...'");
-  EXPECT_NE(error_of("class a:\n    on a b that is near a c\nclass b:\n    lowest\nclass c:\n   "
-                     " on an a\n")
+  EXPECT_NE(parse_error("class a:\n    on a b that is near a c\nclass b:\n    lowest\nclass c:\n   "
+                        " on an a\n")
                 .find("a needs c needs a"),
             std::string::npos)
       << "circles go through what is said of targets";
@@ -163,11 +163,11 @@ TEST(SdlParser, ErrorsBehindThatIs) {
 
 TEST(SdlParser, CirclesNameTheirClasses) {
   const std::string text = "class desk:\n    below a screen\nclass screen:\n    above a desk\n";
-  const auto message = error_of(text);
+  const auto message = parse_error(text);
   EXPECT_NE(message.find("desk needs screen needs desk"), std::string::npos) << message;
   EXPECT_NE(message.find("can never be grounded"), std::string::npos);
   EXPECT_EQ(
-      error_of(
+      parse_error(
           "class desk:\n    lowest\n    usually below a screen\nclass screen:\n    above a desk\n"),
       "");
 }

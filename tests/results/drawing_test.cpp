@@ -10,7 +10,7 @@
 namespace scanchor {
 namespace {
 
-Drawing sample() {
+Drawing sample_drawing() {
   Drawing drawing;
   drawing.meshes.push_back(samples::square(0, 0, 0, ink));
   drawing.points.push_back({{{1, 2, 3}}, {ink}, 2, 0});
@@ -22,14 +22,14 @@ Drawing sample() {
 }
 
 TEST(Drawing, BoundsHoldEverythingButLabels) {
-  const auto box = sample().bounds;
+  const auto box = sample_drawing().bounds;
   EXPECT_EQ(box.min(), Eigen::Vector3d(-1, -1, 0));
   EXPECT_EQ(box.max(), Eigen::Vector3d(6, 2, 4));
   EXPECT_TRUE(bounds_of(Drawing{}).isEmpty());
 }
 
 TEST(Drawing, NotANumberIsRefusedWithItsPlace) {
-  Drawing drawing = sample();
+  Drawing drawing = sample_drawing();
   drawing.points[0].positions.emplace_back(0, std::numeric_limits<double>::quiet_NaN(), 0);
   try {
     bounds_of(drawing);
@@ -41,7 +41,7 @@ TEST(Drawing, NotANumberIsRefusedWithItsPlace) {
 }
 
 TEST(Drawing, MovesAsAWhole) {
-  Drawing drawing = sample();
+  Drawing drawing = sample_drawing();
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   T.translate(Eigen::Vector3d(10, 0, 0));
   T.rotate(Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()));
@@ -52,9 +52,9 @@ TEST(Drawing, MovesAsAWhole) {
 }
 
 TEST(Drawing, AddKeepsTheFirstTitle) {
-  Drawing a = sample();
+  Drawing a = sample_drawing();
   a.title = "a";
-  Drawing b = sample();
+  Drawing b = sample_drawing();
   b.title = "b";
   b.legend.push_back({"thing", ink});
   a.add(b);

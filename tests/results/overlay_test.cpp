@@ -22,7 +22,7 @@ bool has(const std::vector<std::string>& words, const std::string& word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-Drawing sample() {
+Drawing sample_overlay() {
   Drawing drawing;
   drawing.title = "A room";
   drawing.subtitle = "seed 1";
@@ -32,7 +32,7 @@ Drawing sample() {
 }
 
 TEST(Overlay, WritesTitleLegendScaleAndAxes) {
-  const Drawing drawing = sample();
+  const Drawing drawing = sample_overlay();
   RenderOptions options;
   const View view = framed_view(drawing, options, ViewKind::top);
   const auto words =
@@ -46,7 +46,7 @@ TEST(Overlay, WritesTitleLegendScaleAndAxes) {
 }
 
 TEST(Overlay, ScaleBarIsTrue) {
-  Drawing drawing = sample();
+  Drawing drawing = sample_overlay();
   drawing.legend.clear();
   RenderOptions options;
   options.axes = false;
@@ -65,7 +65,7 @@ TEST(Overlay, ScaleBarIsTrue) {
 }
 
 TEST(Overlay, ALongLegendEndsWithWhatIsMissing) {
-  Drawing drawing = sample();
+  Drawing drawing = sample_overlay();
   for (int i = 0; i < 100; ++i) drawing.legend.push_back({"class " + std::to_string(i), ink});
   RenderOptions options;
   const Projection projection = projection_for(drawing, framed_view(drawing, options), options);
@@ -75,7 +75,7 @@ TEST(Overlay, ALongLegendEndsWithWhatIsMissing) {
 }
 
 TEST(Overlay, LabelsDoNotOverlapEachOtherNorTheLegend) {
-  Drawing drawing = sample();
+  Drawing drawing = sample_overlay();
   SequentialRandom random(5);
   for (int i = 0; i < 60; ++i) {
     drawing.labels.push_back({{random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(0, 2)},
@@ -100,7 +100,7 @@ TEST(Overlay, LabelsDoNotOverlapEachOtherNorTheLegend) {
 }
 
 TEST(Overlay, LeavesOutTheNamesOfWhatIsTooSmallToSee) {
-  Drawing drawing = sample();
+  Drawing drawing = sample_overlay();
   drawing.labels.push_back({{0, 0, 1}, "desk", ink, 0, 1.5});
   drawing.labels.push_back({{1, 0, 1}, "crumb", ink, 0, 0.05});
   drawing.labels.push_back({{-1, 0, 1}, "of unknown size", ink, 0});
@@ -113,7 +113,7 @@ TEST(Overlay, LeavesOutTheNamesOfWhatIsTooSmallToSee) {
 }
 
 TEST(Overlay, KnowsWhichAnchorsAreHidden) {
-  Drawing drawing = sample();
+  Drawing drawing = sample_overlay();
   drawing.labels.push_back({{0, 0, 1}, "seen", ink, 0});
   RenderOptions options;
   const Projection projection = projection_for(drawing, framed_view(drawing, options), options);
@@ -132,7 +132,7 @@ TEST(Overlay, SaysWhenThereIsNothing) {
 }
 
 TEST(Overlay, ArrowsCarryTheirWords) {
-  Drawing drawing = sample();
+  Drawing drawing = sample_overlay();
   drawing.arrows.push_back({{-2, 0, 1}, {2, 0, 1}, ink, 1.5, "above 0.98"});
   RenderOptions options;
   const Projection projection = projection_for(drawing, framed_view(drawing, options), options);

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using testing::hashes;
 using testing::TemporaryFolder;
 
-Suite small_suite() {
+Suite four_scene_suite() {
   Suite suite;
   suite.name = "small";
   suite.scenes = 4;
@@ -43,7 +43,7 @@ std::string data_error(const std::function<void()>& body) {
 
 TEST(Dataset, TheBytesDoNotDependOnThreadsShardsOrInterruptions) {
   const TemporaryFolder folder;
-  const Suite suite = small_suite();
+  const Suite suite = four_scene_suite();
   DatasetOptions options;
   options.threads = 1;
   options.formats = {.truth = true, .pcd = true, .ply = true, .s3dis = true};
@@ -112,7 +112,7 @@ TEST(Dataset, TheBytesDoNotDependOnThreadsShardsOrInterruptions) {
 // Twenty scans from seed to files; bench/hashes_bench does it with scans of 100,000 points.
 TEST(Dataset, TheBytesDoNotDependOnInstructionSetOrPackets) {
   const TemporaryFolder folder;
-  Suite suite = small_suite();
+  Suite suite = four_scene_suite();
   suite.families = {{"office", 1.0}, {"kitchen", 1.0}};
   suite.scans = 5;
   suite.lidar = lidar_preset("lms-1xx");  // footprints, mixed pixels, quantum
@@ -139,7 +139,7 @@ TEST(Dataset, TheBytesDoNotDependOnInstructionSetOrPackets) {
 
 TEST(Dataset, AnotherSuiteSeedOrFormatIsRefused) {
   const TemporaryFolder folder;
-  Suite suite = small_suite();
+  Suite suite = four_scene_suite();
   suite.scenes = 1;
   generate_dataset(suite, folder / "a");
   const auto before = hashes(folder / "a");
@@ -162,7 +162,7 @@ TEST(Dataset, AnotherSuiteSeedOrFormatIsRefused) {
 
 TEST(Dataset, AFullDiskLeavesNoHalfFileAndIsResumed) {
   const TemporaryFolder folder;
-  Suite suite = small_suite();
+  Suite suite = four_scene_suite();
   suite.scenes = 1;
   generate_dataset(suite, folder / "whole");
   rlimit old{};
@@ -185,17 +185,17 @@ TEST(Dataset, AFullDiskLeavesNoHalfFileAndIsResumed) {
 TEST(Dataset, AnUnwritableFolderIsSaidAtOnce) {
   const TemporaryFolder folder;
   write_file(folder / "file", "");
-  EXPECT_NE(data_error([&] { generate_dataset(small_suite(), folder / "file"); }).find("file"),
+  EXPECT_NE(data_error([&] { generate_dataset(four_scene_suite(), folder / "file"); }).find("file"),
             std::string::npos);
   EXPECT_NE(data_error([&] {
-              generate_dataset(small_suite(), folder / "file/below");
+              generate_dataset(four_scene_suite(), folder / "file/below");
             }).find("folder cannot be made"),
             std::string::npos);
 }
 
 TEST(Dataset, SplitIsByScene) {
   const TemporaryFolder folder;
-  generate_dataset(small_suite(), folder / "a");
+  generate_dataset(four_scene_suite(), folder / "a");
   const Json card = read_json(folder / "a/dataset.json");
   EXPECT_EQ(card["split"]["train"].size(), 2U);
   EXPECT_EQ(card["split"]["valid"].size(), 1U);

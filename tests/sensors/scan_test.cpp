@@ -5,7 +5,7 @@
 namespace scanchor {
 namespace {
 
-Scan small_scan() {
+Scan labelled_scan() {
   Scan scan;
   scan.cloud.points = {{1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
   scan.cloud.set({"intensity", std::vector<float>{0.1F, 0.2F, 0.3F}});
@@ -20,7 +20,7 @@ Scan small_scan() {
 }
 
 TEST(Scan, TruthTravelsAsFieldsAndComesBack) {
-  const Scan scan = small_scan();
+  const Scan scan = labelled_scan();
   const PointCloud cloud = cloud_with_truth(scan);
   ASSERT_NE(cloud.find("label"), nullptr);
   EXPECT_TRUE(std::holds_alternative<std::vector<std::uint32_t>>(cloud.find("label")->values))

@@ -18,7 +18,7 @@ using testing::box_instance;
 
 const Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
 
-Eigen::Isometry3d standing() {
+Eigen::Isometry3d standing_lidar() {
   Eigen::Isometry3d T = at(2.5, 2.2, 1.3);
   T.linear() = Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   return T;
@@ -31,12 +31,12 @@ TEST(TiltingLidar, NoiseFreePointsLieWhereTheRaysMeetTheBoxes) {
   o.range_sigma = 0.0;
   o.beams_per_line = 200, o.lines = 80;
   o.minimum_range = 0.001;  // some of the boxes are next to the scanner
-  const Scan scan = scan_room(world, standing(), o, 1);
+  const Scan scan = scan_room(world, standing_lidar(), o, 1);
   ASSERT_EQ(scan.cloud.size(), 16000U);
   int other = 0;
   for (std::size_t i = 0; i < scan.cloud.size(); ++i) {
-    const Ray ray{standing().translation(),
-                  standing().linear() * scan.cloud.points[i].normalized()};
+    const Ray ray{standing_lidar().translation(),
+                  standing_lidar().linear() * scan.cloud.points[i].normalized()};
     const auto truth = testing::trace_boxes(scene, ray);
     if (truth.edge_distance < 1e-4) continue;
     if (std::fabs(truth.range - scan.cloud.points[i].norm()) > 1e-9) ++other;
@@ -66,8 +66,8 @@ TEST(TiltingLidar, SameBytesForThreadsPacketsAndInstructionSets) {
         // A plain scan and one with all effects, 20 scans in the whole set of runs.
         LidarOptions plain;
         plain.lines = 40;
-        const std::string digest = testing::digest(scan_room(world, standing(), plain, 9)) +
-                                   testing::digest(scan_room(world, standing(), all, 9));
+        const std::string digest = testing::digest(scan_room(world, standing_lidar(), plain, 9)) +
+                                   testing::digest(scan_room(world, standing_lidar(), all, 9));
         if (first.empty()) first = digest;
         EXPECT_EQ(digest, first) << isa << " width " << width << " threads " << threads;
       }
@@ -79,8 +79,8 @@ TEST(TiltingLidar, AnotherSeedIsAnotherScan) {
   const World world(testing::random_boxes(5, 44));
   LidarOptions o;
   o.lines = 10;
-  EXPECT_NE(testing::digest(scan_room(world, standing(), o, 1)),
-            testing::digest(scan_room(world, standing(), o, 2)));
+  EXPECT_NE(testing::digest(scan_room(world, standing_lidar(), o, 1)),
+            testing::digest(scan_room(world, standing_lidar(), o, 2)));
 }
 
 TEST(TiltingLidar, MemoryIsUsedAgainWithTheSameResult) {
@@ -89,11 +89,11 @@ TEST(TiltingLidar, MemoryIsUsedAgainWithTheSameResult) {
   small.lines = 20;
   small.loss = 0.3;
   Scan scan;
-  scan_room_into(world, standing(), big, 1, scan);
-  scan_room_into(world, standing(), small, 2, scan);
-  EXPECT_EQ(testing::digest(scan), testing::digest(scan_room(world, standing(), small, 2)));
-  scan_room_into(world, standing(), big, 1, scan);
-  EXPECT_EQ(testing::digest(scan), testing::digest(scan_room(world, standing(), big, 1)));
+  scan_room_into(world, standing_lidar(), big, 1, scan);
+  scan_room_into(world, standing_lidar(), small, 2, scan);
+  EXPECT_EQ(testing::digest(scan), testing::digest(scan_room(world, standing_lidar(), small, 2)));
+  scan_room_into(world, standing_lidar(), big, 1, scan);
+  EXPECT_EQ(testing::digest(scan), testing::digest(scan_room(world, standing_lidar(), big, 1)));
 }
 
 TEST(TiltingLidar, NoiseThroughTheWholeSensor) {
@@ -148,7 +148,7 @@ TEST(TiltingLidar, RangeLimitsDropOrReport) {
 TEST(TiltingLidar, PointsComeInTheOrderOfMeasurement) {
   LidarOptions o;
   o.loss = 0.2;
-  const Scan scan = scan_room(World(testing::random_boxes(10, 46)), standing(), o, 1);
+  const Scan scan = scan_room(World(testing::random_boxes(10, 46)), standing_lidar(), o, 1);
   EXPECT_LT(scan.cloud.size(), scan.beams_fired);
   for (std::size_t i = 1; i < scan.cloud.size(); ++i) {
     EXPECT_LT(scan.line[i - 1] * 500 + scan.beam[i - 1], scan.line[i] * 500 + scan.beam[i]);
@@ -186,7 +186,7 @@ TEST(TiltingLidar, CompensatedDriveLeavesPointsOnTheWalls) {
   o.range_sigma = 0.0;
   o.robot_speed = 0.1, o.robot_turn_deg = 5.0;
   const auto worst = [&] {
-    const Scan scan = scan_room(World(scene), standing(), o, 1);
+    const Scan scan = scan_room(World(scene), standing_lidar(), o, 1);
     double far = 0.0;
     for (const auto& p : scan.cloud.points) {
       const Eigen::Vector3d w = scan.T_world_sensor * p;
@@ -205,7 +205,7 @@ TEST(TiltingLidar, EveryPresetSeesTheRoom) {
   for (const std::string& name : lidar_presets()) {
     LidarOptions o = lidar_preset(name);
     o.lines = std::min(o.lines, 24);
-    const Scan scan = scan_room(world, standing(), o, 1);
+    const Scan scan = scan_room(world, standing_lidar(), o, 1);
     EXPECT_GT(scan.cloud.size(), scan.beams_fired * 9 / 10) << name;
     double squares = 0.0;
     int plain = 0;

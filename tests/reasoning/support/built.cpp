@@ -113,4 +113,9 @@ Ontology shipped(const std::string& name) {
   return read_ontology(std::string(SCANCHOR_SOURCE_DIR) + "/ontologies/" + name + ".sdl");
 }
 
+const Ontology& office() {
+  static const Ontology ontology = shipped("office");
+  return ontology;
+}
+
 }  // namespace scanchor::test

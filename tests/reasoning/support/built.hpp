@@ -48,4 +48,7 @@ double probability_of(const Entity& entity, const std::string& name);
 /// A class file that comes with the source.
 Ontology shipped(const std::string& name);
 
+/// The shipped one that most tests ask.
+const Ontology& office();
+
 }  // namespace scanchor::test
