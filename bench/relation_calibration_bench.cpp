@@ -2,9 +2,13 @@
 // relation between planes that were found, over range noise from 0 to 4 cm, against the exact
 // faces.
 //   relation_calibration_bench [ROOMS [SEED [FAMILY]]]     default 12 office rooms from seed 50
+// After the table: what the likelihoods take for granted of directions in rooms (shares of angles
+// between exact faces that were found, reasoning/angle_relations.cpp), and how far the tilts of
+// planes are from what is said of them (reasoning/plane_error.cpp).
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -16,6 +20,7 @@
 #include "eval/plane_relations.hpp"
 #include "eval/run.hpp"
 #include "perception/perceive.hpp"
+#include "reasoning/plane_error.hpp"
 #include "reasoning/up.hpp"
 
 namespace scanchor {
@@ -61,8 +66,77 @@ void add_pairs(const PlaneRelations& lists, std::map<std::string, Bins>& bins) {
   for (const auto& [key, held] : holds) bins[std::get<0>(key)].add(0.0, held);
 }
 
+/// Angles between the exact faces, [deg]: up to 0.5, 5, 85, 89.5, 90.
+struct Angles {
+  std::array<double, 5> number{};
+  void add(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    const double angle = degrees(std::atan2(a.cross(b).norm(), std::abs(a.dot(b))));
+    number[angle < 0.5 ? 0 : angle < 5.0 ? 1 : angle < 85.0 ? 2 : angle < 89.5 ? 3 : 4] += 1.0;
+  }
+  void print(const char* name) const {
+    double all = 0.0;
+    for (const double n : number) all += n;
+    fmt::print(
+        "{:<26} parallel {:.2f}, nearly {:.2f}, any {:.2f}, nearly orthogonal {:.2f}, "
+        "orthogonal {:.2f}\n",
+        name, number[0] / all, number[1] / all, number[2] / all, number[3] / all, number[4] / all);
+  }
+};
+
+/// True tilts of planes over the deviation that is said for them: 0.68 and 0.95 were right.
+struct Tilts {
+  double number = 0.0, within_one = 0.0, within_two = 0.0;
+  void add(const Eigen::Vector3d& off, const Eigen::Matrix3d& covariance) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance);
+    for (int k = 1; k < 3; ++k) {
+      const double sigma = std::sqrt(std::max(0.0, axes.eigenvalues()[k]));
+      const double x = std::abs(axes.eigenvectors().col(k).dot(off));
+      number += 1.0;
+      within_one += x <= sigma ? 1.0 : 0.0;
+      within_two += x <= 2.0 * sigma ? 1.0 : 0.0;
+    }
+  }
+  void print(const char* name) const {
+    fmt::print("{:<26} within one deviation {:.2f}, within two {:.2f} of {:.0f}\n", name,
+               within_one / number, within_two / number, number);
+  }
+};
+
+struct Counts {
+  Angles between, small, gravity;
+  Tilts fit, error;
+  void add(const ScanTruth& truth, const PlaneMatch& match, const Surfaces& surfaces,
+           const Eigen::Vector3d& up) {
+    std::vector<const PlaneTruth*> found;
+    for (std::size_t p = 0; p < truth.planes.size() && p < match.region_of_truth.size(); ++p) {
+      const std::int32_t region = match.region_of_truth[p];
+      if (region < 0 || !truth.planes[p].has_geometry) continue;
+      const PlaneTruth& plane = truth.planes[p];
+      const Surface& surface = surfaces.surfaces[static_cast<std::size_t>(region)];
+      gravity.add(plane.normal, up);
+      Eigen::Vector3d off = plane.normal;
+      if (off.dot(surface.plane.normal) < 0.0) off = -off;
+      fit.add(off, surface.plane.normal_covariance);
+      error.add(off, plane_error(surface, surfaces));
+      for (const auto* other : found) {
+        between.add(plane.normal, other->normal);
+        if (std::min(plane.area, other->area) < 0.05) small.add(plane.normal, other->normal);
+      }
+      found.push_back(&plane);
+    }
+  }
+  void print() const {
+    between.print("angles of faces");
+    small.print("one of them below 0.05 m2");
+    gravity.print("angles against gravity");
+    fit.print("tilts, by the fit");
+    error.print("tilts, all told");
+  }
+};
+
 int run(int rooms, std::uint64_t seed, const std::string& family) {
   std::map<std::string, Bins> all;
+  Counts counts;
   fmt::print("{:<20} {:>7} {:>8}\n", "relation", "pairs", "error");
   for (const double sigma : {0.0, 0.005, 0.01, 0.02, 0.04}) {
     std::map<std::string, Bins> bins;
@@ -83,6 +157,7 @@ int run(int rooms, std::uint64_t seed, const std::string& family) {
       const UpDirection up = find_up(surfaces, options.up, radians(options.up_sigma_deg));
       const auto lists =
           plane_relations(scan, made.scene, truth, match, surfaces, up.up, up.sigma, Protocol{});
+      if (sigma > 0.0) counts.add(truth, match, surfaces, up.up);
       add_pairs(lists, bins);
       add_pairs(lists, all);
     }
@@ -92,6 +167,7 @@ int run(int rooms, std::uint64_t seed, const std::string& family) {
   }
   for (const auto& [relation, own] : all)
     fmt::print("{:<20} {:>7.0f} {:>8.3f}   all\n", relation, own.count(), own.error());
+  counts.print();
   return 0;
 }
 

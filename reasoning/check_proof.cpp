@@ -199,6 +199,19 @@ class Checker {
     return s;
   }
 
+  /// Height of a level surface below (or above) the middle of another entity; nothing for what is
+  /// not level.
+  std::optional<double> top_at(std::int32_t lower, std::int32_t upper) const {
+    if (!labelling_.entities[static_cast<std::size_t>(lower)].members.empty()) return std::nullopt;
+    const Plane& plane = surfaces_.surfaces[static_cast<std::size_t>(lower)].plane;
+    const Eigen::Vector3d& up = labelling_.up;
+    const double along = plane.normal.dot(up);
+    if (std::abs(along) <= 0.94) return std::nullopt;
+    // Up from the middle of the upper one until the plane is met.
+    const Eigen::Vector3d from = labelling_.entities[static_cast<std::size_t>(upper)].center;
+    return up.dot(from) + (plane.offset - plane.normal.dot(from)) / along;
+  }
+
   /// What plain geometry gives for the clause's number; nothing where the number is no plain
   /// measurement.
   std::optional<double> measure(std::int32_t id, const Clause& clause, const ProofClause& claim,
@@ -252,11 +265,10 @@ class Checker {
       case Relation::top:
         return a.high - b.middle;
       case Relation::above:
-        return a.low - b.high;
-      case Relation::below:
-        return b.low - a.high;
       case Relation::on:
-        return a.low - b.high;
+        return a.low - top_at(t, id).value_or(b.high);
+      case Relation::below:
+        return b.low - top_at(id, t).value_or(a.high);
       case Relation::higher:
         return a.middle - b.middle;
       case Relation::lower:

@@ -16,9 +16,10 @@ Quad corners(const Item& item) {
   return {item.center - u - v, item.center + u - v, item.center + u + v, item.center - u + v};
 }
 
-/// Squared distance of two segments; Ericson, Real-Time Collision Detection, 5.1.9.
-double segment_segment(const Eigen::Vector3d& p1, const Eigen::Vector3d& q1,
-                       const Eigen::Vector3d& p2, const Eigen::Vector3d& q2) {
+/// Shortest step from the first segment to the second; Ericson, Real-Time Collision Detection,
+/// 5.1.9.
+Eigen::Vector3d segment_segment(const Eigen::Vector3d& p1, const Eigen::Vector3d& q1,
+                                const Eigen::Vector3d& p2, const Eigen::Vector3d& q2) {
   const Eigen::Vector3d d1 = q1 - p1;
   const Eigen::Vector3d d2 = q2 - p2;
   const Eigen::Vector3d r = p1 - p2;
@@ -27,7 +28,7 @@ double segment_segment(const Eigen::Vector3d& p1, const Eigen::Vector3d& q1,
   const double f = d2.dot(r);
   double s = 0.0;
   double t = 0.0;
-  if (a <= 1e-18 && e <= 1e-18) return r.squaredNorm();
+  if (a <= 1e-18 && e <= 1e-18) return -r;
   if (a <= 1e-18) {
     t = std::clamp(f / e, 0.0, 1.0);
   } else {
@@ -45,18 +46,18 @@ double segment_segment(const Eigen::Vector3d& p1, const Eigen::Vector3d& q1,
       }
     }
   }
-  return (p1 + d1 * s - p2 - d2 * t).squaredNorm();
+  return p2 + d2 * t - p1 - d1 * s;
 }
 
-/// Distance of a point to the rectangle where it projects into it, squared; infinite elsewhere
-/// (edges answer for that).
-double point_face(const Eigen::Vector3d& p, const Item& face) {
+/// Step from a point to the rectangle where it projects into it; infinite elsewhere (edges answer
+/// for that).
+Eigen::Vector3d point_face(const Eigen::Vector3d& p, const Item& face) {
   const Eigen::Vector3d d = p - face.center;
   if (std::abs(d.dot(face.along)) > face.half_length ||
       std::abs(d.dot(face.across)) > face.half_width)
-    return INFINITY;
+    return Eigen::Vector3d::Constant(INFINITY);
   const Eigen::Vector3d n = face.along.cross(face.across);
-  return n.dot(d) * n.dot(d);
+  return -n * n.dot(d);
 }
 
 /// True if the segment runs through the rectangle.
@@ -70,18 +71,24 @@ bool pierces(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Item& fac
          std::abs(d.dot(face.across)) <= face.half_width;
 }
 
-double rectangles(const Item& a, const Item& b) {
+Eigen::Vector3d rectangles(const Item& a, const Item& b) {
   const Quad ca = corners(a);
   const Quad cb = corners(b);
-  double best = INFINITY;
+  Eigen::Vector3d best = Eigen::Vector3d::Constant(INFINITY);
+  double least = INFINITY;
+  const auto offer = [&](const Eigen::Vector3d& step) {
+    const double length = step.squaredNorm();
+    if (length < least) best = step, least = length;
+  };
   for (int i = 0; i < 4; ++i) {
-    best = std::min({best, point_face(ca[i], b), point_face(cb[i], a)});
-    if (pierces(ca[i], ca[(i + 1) % 4], b) || pierces(cb[i], cb[(i + 1) % 4], a)) return 0.0;
-    for (int j = 0; j < 4; ++j) {
-      best = std::min(best, segment_segment(ca[i], ca[(i + 1) % 4], cb[j], cb[(j + 1) % 4]));
-    }
+    offer(point_face(ca[i], b));
+    offer(-point_face(cb[i], a));
+    if (pierces(ca[i], ca[(i + 1) % 4], b) || pierces(cb[i], cb[(i + 1) % 4], a))
+      return Eigen::Vector3d::Zero();
+    for (int j = 0; j < 4; ++j)
+      offer(segment_segment(ca[i], ca[(i + 1) % 4], cb[j], cb[(j + 1) % 4]));
   }
-  return std::sqrt(best);
+  return best;
 }
 
 using Polygon2 = std::array<Eigen::Vector2d, 12>;
@@ -102,7 +109,8 @@ double footprint_gap(const Footprint& a, const Footprint& b) {
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 4; ++j) {
       best = std::min(best, segment_segment(lift(ca[i]), lift(ca[(i + 1) % 4]), lift(cb[j]),
-                                            lift(cb[(j + 1) % 4])));
+                                            lift(cb[(j + 1) % 4]))
+                                .squaredNorm());
     }
   }
   return std::sqrt(best);
@@ -110,8 +118,10 @@ double footprint_gap(const Footprint& a, const Footprint& b) {
 
 }  // namespace
 
+Eigen::Vector3d nearest_step(const Item& a, const Item& b) { return rectangles(a, b); }
+
 double gap_distance(const Item& a, const Item& b) {
-  if (!a.group && !b.group) return rectangles(a, b);
+  if (!a.group && !b.group) return rectangles(a, b).norm();
   const double flat = footprint_gap(a.footprint, b.footprint);
   const double heights = std::max({0.0, a.z_low - b.z_high, b.z_low - a.z_high});
   return std::hypot(flat, heights);

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "reasoning/plane_error.hpp"
+
 namespace scanchor {
 
 namespace {
@@ -45,6 +47,32 @@ Quantity quantity(const Measured& measured, double fallback_sigma, double hidden
   return q;
 }
 
+/// Item::open of a surface; `x`, `y`: the rectangle's sides in the surface's frame.
+std::array<double, 4> open_sides(const Surface& surface, const Eigen::Vector2d& x,
+                                 const Eigen::Vector2d& y) {
+  std::array<double, 4> hidden = {}, all = {};
+  for (const auto& polygon : surface.polygons) {
+    const auto& ring = polygon.outer;
+    if (polygon.outer_kind.size() != ring.size()) continue;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Eigen::Vector2d d = ring[(i + 1) % ring.size()] - ring[i];
+      const Eigen::Vector2d outwards(d.y(), -d.x());  // of a counter-clockwise ring
+      const bool ends = polygon.outer_kind[i] == EdgeKind::true_edge;
+      const std::array<double, 4> faces = {outwards.dot(x), -outwards.dot(x), outwards.dot(y),
+                                           -outwards.dot(y)};
+      for (std::size_t k = 0; k < 4; ++k) {
+        // Steps along the side count where they face it, not where they run past it.
+        const double part = std::max(0.0, faces[k] - 0.5 * outwards.norm());
+        all[k] += part;
+        if (!ends) hidden[k] += part;
+      }
+    }
+  }
+  for (std::size_t k = 0; k < 4; ++k)
+    hidden[k] = all[k] > 0.0 ? hidden[k] / all[k] : surface.occluded_outline;
+  return hidden;
+}
+
 void finish(Item& item) {
   item.footprint =
       make_footprint(item.center, item.along * item.half_length, item.across * item.half_width);
@@ -74,7 +102,7 @@ bool same_geometry(const Item& a, const Item& b) {
          a.normal_covariance == b.normal_covariance && a.offset_sigma == b.offset_sigma &&
          a.along == b.along && a.across == b.across && a.half_length == b.half_length &&
          a.half_width == b.half_width && same(a.area, b.area) && same(a.extension, b.extension) &&
-         same(a.width, b.width) && same(a.height, b.height) &&
+         same(a.width, b.width) && same(a.height, b.height) && a.open == b.open &&
          same(a.rectangularness, b.rectangularness) && a.z_low == b.z_low && a.z_high == b.z_high &&
          a.z == b.z && a.z_sigma == b.z_sigma && a.box.min() == b.box.min() &&
          a.box.max() == b.box.max() && a.members == b.members;
@@ -116,7 +144,7 @@ std::vector<Item> make_items(const Surfaces& surfaces, const Eigen::Matrix3d& R)
     const auto& plane = surface.plane;
     const auto& rectangle = surface.rectangle;
     item.normal = R * plane.normal;
-    item.normal_covariance = R * plane.normal_covariance * R.transpose();
+    item.normal_covariance = R * plane_error(surface, surfaces) * R.transpose();
     item.tilt_sigma = std::sqrt(std::max(0.0, 0.5 * item.normal_covariance.trace()));
     item.offset_sigma = plane.centroid_sigma;
     item.centroid = R * plane.centroid;
@@ -135,6 +163,7 @@ std::vector<Item> make_items(const Surfaces& surfaces, const Eigen::Matrix3d& R)
     const double c = std::cos(rectangle.angle);
     const double s = std::sin(rectangle.angle);
     const Eigen::Matrix3d axes = R * surface.T_cloud_surface.linear();
+    item.open = open_sides(surface, {c, s}, {-s, c});
     item.along = axes * Eigen::Vector3d(c, s, 0.0);
     item.across = axes * Eigen::Vector3d(-s, c, 0.0);
     item.center = R * (surface.T_cloud_surface *

@@ -43,6 +43,9 @@ struct Item {
   Eigen::Vector3d along = Eigen::Vector3d::UnitX();   ///< unit, along the longer side
   Eigen::Vector3d across = Eigen::Vector3d::UnitY();  ///< unit, along the shorter side
   double half_length = 0.0, half_width = 0.0;         ///< [m]
+  /// Share of the outline that faces each side (towards along, away, towards across, away) and ends
+  /// in a shadow or at the end of the view: there the thing may go on.
+  std::array<double, 4> open = {0.0, 0.0, 0.0, 0.0};
   Quantity area, extension, width, height, rectangularness;
   double z_low = 0.0, z_high = 0.0, z = 0.0;  ///< lower end, upper end, middle
   double z_sigma = 0.0;

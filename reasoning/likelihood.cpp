@@ -7,6 +7,10 @@
 
 namespace scanchor {
 
+double normal_density(double x, double sigma) {
+  return std::exp(-0.5 * x * x / (sigma * sigma)) / (sigma * std::sqrt(2.0 * pi));
+}
+
 double upper_likelihood(double x, double limit, double sigma) {
   if (sigma <= 0.0 || std::isinf(limit)) return x <= limit ? 1.0 : 0.0;
   const double t = (limit - x) / sigma;
@@ -47,6 +51,31 @@ double cone_likelihood(double theta, double tolerance, double sigma) {
     weight *= x / (k + 1);
     term *= y / (k + 1);
     tail = std::min(1.0, tail + term);
+  }
+  return std::clamp(sum, 0.0, 1.0);
+}
+
+double tilt_likelihood(const Eigen::Vector2d& m, const Eigen::Vector2d& s, double tolerance) {
+  const double most = s.maxCoeff();
+  if (most - s.minCoeff() < 0.05 * most)
+    return cone_likelihood(m.norm(), tolerance, std::sqrt(0.5 * s.squaredNorm()));
+  if (m.norm() - tolerance > 8.0 * most) return 0.0;
+  if (tolerance - m.norm() > 8.0 * most) return 1.0;
+  // Across the lesser deviation by the midpoint rule, along the greater one in closed form.
+  const int outer = s.x() < s.y() ? 0 : 1;
+  const double low = std::max(-tolerance, m[outer] - 6.0 * s[outer]);
+  const double high = std::min(tolerance, m[outer] + 6.0 * s[outer]);
+  if (low >= high) return 0.0;
+  constexpr int steps = 48;
+  double sum = 0.0;
+  double edge = normal_cdf((low - m[outer]) / s[outer]);
+  for (int i = 1; i <= steps; ++i) {
+    const double x = low + (high - low) * i / steps;
+    const double next = normal_cdf((x - m[outer]) / s[outer]);
+    const double middle = x - 0.5 * (high - low) / steps;
+    const double half = std::sqrt(std::max(0.0, tolerance * tolerance - middle * middle));
+    sum += (next - edge) * between_likelihood(m[1 - outer], -half, half, s[1 - outer]);
+    edge = next;
   }
   return std::clamp(sum, 0.0, 1.0);
 }

@@ -2,7 +2,12 @@
 // Elementary likelihoods: what a measured number with its uncertainty says about "at most",
 // "between", "within a cone".
 
+#include <Eigen/Core>
+
 namespace scanchor {
+
+/// Density of the normal distribution with mean 0 at x; sigma > 0.
+double normal_density(double x, double sigma);
 
 /// P(true value <= limit) for a measurement x with standard deviation sigma >= 0; the crisp
 /// predicate for sigma = 0.
@@ -17,6 +22,11 @@ double between_likelihood(double x, double low, double high, double sigma);
 /// Rice distributed (reasoning.md 2.3): 1 - Q1(theta/s, tol/s) with Marcum's Q. Absolute error
 /// below 1e-9 for theta/s < 20, below 3e-4 beyond (normal approximation).
 double cone_likelihood(double theta, double tolerance, double sigma);
+
+/// P(length of a tilt <= tolerance) where its two components are normal and independent, with means
+/// m and deviations s [all rad]: a narrow strip may turn about its long axis and not about the
+/// other. Equal deviations give cone_likelihood. Absolute error below 1e-4.
+double tilt_likelihood(const Eigen::Vector2d& m, const Eigen::Vector2d& s, double tolerance);
 
 /// The same as between_likelihood for an extent that is only seen in part. `hidden` in [0, 1) is
 /// the expected share that is in the shadow. The hidden share is taken as Beta(1, k) with that

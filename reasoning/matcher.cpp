@@ -7,6 +7,7 @@
 #include "reasoning/corner.hpp"
 #include "reasoning/groups.hpp"
 #include "reasoning/likelihood.hpp"
+#include "reasoning/support_relations.hpp"
 
 namespace scanchor {
 
@@ -29,12 +30,8 @@ bool out_of_reach(const Clause& clause, const Item& a, const Item& b) {
       case Relation::below:
       case Relation::on:
       case Relation::supports: {
-        // Boxes that are further apart than the thickening of footprints have nothing in common.
-        const double gap_x =
-            std::max(a.box.min().x() - b.box.max().x(), b.box.min().x() - a.box.max().x());
-        const double gap_y =
-            std::max(a.box.min().y() - b.box.max().y(), b.box.min().y() - a.box.max().y());
-        if (std::max(gap_x, gap_y) > 0.2) return true;
+        const bool upper = term.relation == Relation::above || term.relation == Relation::on;
+        if (plan_gap(a, b) > overlap_reach(upper ? b : a)) return true;
         continue;
       }
       default:

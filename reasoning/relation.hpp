@@ -43,5 +43,7 @@ double footprint_overlap(const Footprint& a, const Footprint& b);
 /// Shortest distance between two entities [m]: between rectangles for surfaces, between upright
 /// boxes for groups.
 double gap_distance(const Item& a, const Item& b);
+/// Where the two come nearest: from a to b, of the length of their distance [m].
+Eigen::Vector3d nearest_step(const Item& a, const Item& b);
 
 }  // namespace scanchor

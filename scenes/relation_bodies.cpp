@@ -23,7 +23,8 @@ void finish(RelationBody& body, const RelationTolerances& tolerances) {
       corners.push_back(
           (face.center + u * face.size.x() * face.axis + v * face.size.y() * side).head<2>());
     }
-    body.level_shadows.push_back(convex_hull(std::move(corners)));
+    body.level_shadows.push_back(
+        dilated(convex_hull(std::move(corners)), tolerances.footprint_dilation));
   }
 }
 
@@ -61,7 +62,7 @@ RelationBody face_body(const Scene& scene, const FaceAddress& address,
   const bool upright =
       std::abs(body.face.normal.z()) < portable_sincos(radians(tolerances.angle_deg)).sin;
   if (upright) body.footprint = dilated(body.footprint, tolerances.upright_footprint);
-  if (body.face.normal.z() >= portable_sincos(radians(tolerances.angle_deg)).cos)
+  if (std::abs(body.face.normal.z()) >= portable_sincos(radians(tolerances.angle_deg)).cos)
     body.level_faces.push_back(body.face);
   finish(body, tolerances);
   return body;

@@ -12,7 +12,7 @@
 namespace scanchor {
 namespace {
 
-constexpr std::array<std::string_view, relation_count> relation_names = {
+constexpr std::array<std::string_view, relation_count> names = {
     "parallel", "orthogonal", "above",    "below",       "on",
     "supports", "inside",     "near",     "same size",   "vertically aligned",
     "coplanar", "left of",    "right of", "in front of", "behind"};
@@ -145,12 +145,12 @@ RelationMargin view_margin(const RelationBody& a, const RelationBody& b, Spatial
 }  // namespace
 
 std::string_view relation_name(SpatialRelation relation) {
-  return relation_names[static_cast<std::size_t>(relation)];
+  return names[static_cast<std::size_t>(relation)];
 }
 
 std::optional<SpatialRelation> find_relation(std::string_view name) {
-  for (std::size_t i = 0; i < relation_names.size(); ++i) {
-    if (relation_names[i] == name) return static_cast<SpatialRelation>(i);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == name) return static_cast<SpatialRelation>(i);
   }
   return std::nullopt;
 }
@@ -234,13 +234,23 @@ RelationMargin relate(const RelationBody& a, const RelationBody& b, SpatialRelat
           b.face.size.x() > t.elongated * b.face.size.y()) {
         worst.at_most(angle_deg(a.face.axis, b.face.axis), t.angle_deg);
       }
+      // One over the other: two faces in one place are not.
+      const double rise = std::abs(a.center.z() - b.center.z());
+      worst.condition((rise - t.stacked) / t.stacked, rise);
+      worst.result.margin = std::min(worst.result.margin, 1.0);
       return worst.result;
     }
     case SpatialRelation::coplanar: {
       if (!faces) return {};
       worst.at_most(angle_deg(a.face.normal, b.face.normal), t.angle_deg);
       const Eigen::Vector3d d = a.face.center - b.face.center;
-      worst.at_most(std::max(std::abs(a.face.normal.dot(d)), std::abs(b.face.normal.dot(d))),
+      // The larger one carries the plane: where that of a small patch goes far away depends on a
+      // hair.
+      const double from_a = std::abs(a.face.normal.dot(d)), from_b = std::abs(b.face.normal.dot(d));
+      const double more = a.face.area - b.face.area;
+      worst.at_most(std::abs(more) < 1e-6 ? std::min(from_a, from_b)  // of one make
+                    : more > 0.0          ? from_a
+                                          : from_b,
                     t.coplanar);
       return worst.result;
     }

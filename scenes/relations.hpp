@@ -60,8 +60,9 @@ struct RelationTolerances {
   double same_length = 1.15;         ///< ratio of the longer sides
   double same_area = 1.25;           ///< ratio of the areas
   double aligned = 0.15;             ///< horizontal distance of centres / shorter extension
+  double stacked = 0.05;             ///< [m] least difference in height of what is aligned
   double elongated = 1.3;  ///< sides' ratio from which long axes must be parallel to be aligned
-  double coplanar = 0.03;  ///< [m] distance of the centres from the other's plane
+  double coplanar = 0.03;  ///< [m] of the smaller one's centre from the larger one's plane
   double cone_deg = 45.0;  ///< half angle of left, right, front, behind
 };
 
@@ -76,9 +77,12 @@ struct RelationBody {
       Eigen::Vector3d::Zero();  ///< of the face, or of the thing's bounding box
   WorldFace face;               ///< the face itself, or the thing's largest planar face
   bool has_face = false;
-  std::vector<WorldFace> level_faces;  ///< planar faces that look up (within angle_deg), for `on`
+  /// For `on`, within angle_deg: planar faces of a thing that look up; a face itself either way, as
+  /// a scan of a thin board sees one of its sides.
+  std::vector<WorldFace> level_faces;
   // What every pair asks for, worked out once:
-  std::vector<std::vector<Eigen::Vector2d>> level_shadows;  ///< of the level faces' rectangles
+  std::vector<std::vector<Eigen::Vector2d>>
+      level_shadows;  ///< of the level faces' rectangles, dilated by footprint_dilation
   std::vector<Eigen::Vector2d> grown;  ///< the footprint, dilated by footprint_dilation
   Eigen::AlignedBox3d bounds;          ///< of the boxes
 };

@@ -195,8 +195,8 @@ TEST(Relation, UncertaintySoftens) {
   unsure.tilt_sigma_deg = 6.0;
   EXPECT_GT(value(Relation::parallel, {}, sure), 0.9);
   const double l = value(Relation::parallel, {}, unsure);
-  EXPECT_LT(l, 0.5);
-  EXPECT_GT(l, 0.05);
+  EXPECT_LT(l, value(Relation::parallel, {}, sure) - 0.1);
+  EXPECT_GT(l, 0.5) << "most faces of rooms that are nearly parallel are parallel";
 }
 
 TEST(Relation, FeaturesAndWords) {

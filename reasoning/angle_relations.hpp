@@ -1,0 +1,17 @@
+#pragma once
+// Relations of directions: parallel, orthogonal, horizontal, vertical.
+
+#include "reasoning/relation.hpp"
+
+namespace scanchor {
+
+/// Between lines, 0 .. pi / 2 [rad].
+double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
+/// P(the angle is within 5 degrees of 0, of 90), given how it was measured and how often faces of
+/// rooms are parallel, at right angles, or anything: things that are nearly parallel mostly are
+/// parallel, and a strip whose direction is hardly known is so as often as any.
+Evidence parallel_relation(const Item& a, const Item& b);
+Evidence orthogonal_relation(const Item& a, const Item& b);
+
+}  // namespace scanchor
