@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace scanchor {
 
@@ -20,6 +21,53 @@ void apply_background(Ontology& ontology, const Background& background) {
       clause.hit_rate = rate.hit_rate;
       clause.background = rate.background;
       clause.counted_weight = rate.weight;
+    }
+  }
+}
+
+namespace {
+
+/// Features, directions, relations, ...; and context apart, since it is counted among candidates.
+int kind_of(const Clause& clause) {
+  int kind = static_cast<int>(clause.kind);
+  if (clause.kind == ClauseKind::rectangular) kind = static_cast<int>(ClauseKind::feature);
+  if (clause.kind == ClauseKind::vertical) kind = static_cast<int>(ClauseKind::horizontal);
+  return 2 * kind + (clause.usually ? 1 : 0);
+}
+
+struct Mean {
+  double sum = 0.0, number = 0.0;
+  void add(double x) { sum += x, number += 1.0; }
+  [[nodiscard]] double or_else(double otherwise) const {
+    return number > 0.0 ? sum / number : otherwise;
+  }
+};
+
+}  // namespace
+
+void fill_uncounted(Ontology& ontology) {
+  std::map<int, Mean> weights, hits;
+  std::map<std::string, Mean> backgrounds;
+  Mean weight, log_prior;
+  for (const auto& described : ontology.classes) {
+    if (described.prior > 0.0) log_prior.add(std::log(described.prior));
+    for (const auto& clause : described.clauses) {
+      if (clause.hit_rate < 0.0) continue;
+      weights[kind_of(clause)].add(clause.counted_weight);
+      weight.add(clause.counted_weight);
+      hits[kind_of(clause)].add(clause.hit_rate);
+      backgrounds[clause_text(clause)].add(clause.background);
+    }
+  }
+  if (weight.number == 0.0) return;
+  for (auto& described : ontology.classes) {
+    if (described.prior < 0.0 && log_prior.number > 0.0)
+      described.prior = std::exp(log_prior.sum / log_prior.number);
+    for (auto& clause : described.clauses) {
+      if (clause.hit_rate >= 0.0) continue;
+      clause.counted_weight = weights[kind_of(clause)].or_else(weight.or_else(1.0));
+      clause.hit_rate = hits[kind_of(clause)].or_else(default_hit_rate(clause));
+      clause.background = backgrounds[clause_text(clause)].or_else(default_background(clause));
     }
   }
 }

@@ -31,6 +31,13 @@ struct Background {
 /// Puts the rates into the clauses with the same words; others keep their defaults.
 void apply_background(Ontology& ontology, const Background& background);
 
+/// Classes that were not counted beside classes that were, as a user's are who imports a shipped
+/// file: a clause without rates gets the background of counted clauses with the same words, and the
+/// mean hit rate and weight of counted clauses of its kind; a class without a prior gets the
+/// geometric mean of those counted. With the plain defaults, made for files in which nothing is
+/// counted, such a class wins or loses by its weights of 1 alone. Nothing counted: nothing changes.
+void fill_uncounted(Ontology& ontology);
+
 /// The documented defaults: what is assumed of a clause as long as nothing was counted.
 double default_hit_rate(const Clause& clause);
 double default_background(const Clause& clause);

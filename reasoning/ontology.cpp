@@ -173,6 +173,7 @@ Ontology read_ontology(const fs::path& path) {
     const fs::path sidecar = fs::path(file).replace_extension(".background.json");
     if (is_file(sidecar)) apply_background(ontology, read_background(sidecar));
   }
+  fill_uncounted(ontology);
   return ontology;
 }
 
