@@ -10,6 +10,7 @@
 #include "reasoning/alternatives.hpp"
 #include "reasoning/answer.hpp"
 #include "reasoning/ontology.hpp"
+#include "reasoning/places.hpp"
 
 namespace scanchor::apps {
 namespace fs = std::filesystem;
@@ -55,7 +56,8 @@ int run_find(FindArguments& arguments, bool ontology_given) {
   const bool labelled = read_labelled(arguments.scan, scene);
   const Ontology ontology =
       find_ontology(labelled && !ontology_given ? scene.labelling.ontology : arguments.ontology);
-  const Query query = parse_query(arguments.question, ontology);
+  const auto room = parse_place_question(arguments.question, ontology);
+  const Query query = room ? room->thing : parse_query(arguments.question, ontology);
   if (!labelled) {
     const PointCloud cloud = load_scan(arguments);
     scene.surfaces = perceive(cloud, arguments.perceive);
@@ -65,6 +67,14 @@ int run_find(FindArguments& arguments, bool ontology_given) {
     scene.surfaces.sensor_positions = {parse_vector(arguments.sensor, "--sensor")};
   }
   const SceneThings things(scene.surfaces, ontology, scene.labelling);
+  if (room) {
+    const PlaceAnswer found = find_places(*room, scene.surfaces, scene.labelling, things);
+    answer(arguments.common, places_to_json(found, things));
+    std::string text = places_text(found, things);
+    while (!text.empty() && text.back() == '\n') text.pop_back();
+    say(arguments.common, text);
+    return exit_code(found.status);
+  }
   const Answer found = scanchor::answer(query, things);
   answer(arguments.common, answer_to_json(found, things));
   std::string text = answer_text(found, things);
@@ -85,6 +95,8 @@ void add_find(CLI::App& root, ExitCodeSlot& code) {
       "  scanchor find \"desk with no screen\" scanchor-room\n"
       "  scanchor find \"the nearest cabinet that is left of a window\" scanchor-room\n"
       "  scanchor find \"distance from the door to the nearest desk\" scanchor-room\n"
+      "  scanchor find \"free place of 30 x 40 cm on a desk\" scanchor-room\n"
+      "  scanchor find \"where could a robot stand in front of the cabinet\" scanchor-room\n"
       "SCAN may be what label or run wrote: it is not labelled again.\n"
       "Exit codes: 0 answered, 4 not found, 5 ambiguous or not seen.");
   auto arguments = std::make_shared<FindArguments>();
