@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "core/parallel.hpp"
 
@@ -146,16 +147,36 @@ GrownPlane grown_plane(const Moments& moments, const MomentPlane& plane, const B
   return grown;
 }
 
+// A counting sort in a few blocks: `next` of a block and a plane is where the block's points of it
+// go.
 PlaneMembers::PlaneMembers(const PlaneLabels& labels) : start_(labels.planes.size() + 1, 0) {
-  for (const auto label : labels.of_point) {
-    if (label >= 0) ++start_[static_cast<std::size_t>(label) + 1];
+  const auto& of_point = labels.of_point;
+  const std::size_t planes = labels.planes.size();
+  const std::size_t block = std::max<std::size_t>(16384, of_point.size() / 16 + 1);
+  std::vector<std::vector<std::uint32_t>> next(of_point.size() / block + 1);
+  parallel_blocks(of_point.size(), block, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint32_t> count(planes, 0);
+    for (std::size_t i = begin; i < end; ++i) {
+      if (of_point[i] >= 0) ++count[static_cast<std::size_t>(of_point[i])];
+    }
+    next[begin / block] = std::move(count);
+  });
+  std::uint32_t sum = 0;
+  for (std::size_t r = 0; r < planes; ++r) {
+    start_[r] = sum;
+    for (auto& here : next) {
+      if (!here.empty()) sum += std::exchange(here[r], sum);
+    }
   }
-  std::partial_sum(start_.begin(), start_.end(), start_.begin());
-  points_.resize(start_.back());
-  std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
-  for (std::uint32_t i = 0; i < labels.of_point.size(); ++i) {
-    if (labels.of_point[i] >= 0) points_[next[static_cast<std::size_t>(labels.of_point[i])]++] = i;
-  }
+  start_[planes] = sum;
+  points_.resize(sum);
+  parallel_blocks(of_point.size(), block, [&](std::size_t begin, std::size_t end) {
+    auto& to = next[begin / block];
+    for (std::size_t i = begin; i < end; ++i) {
+      if (of_point[i] >= 0)
+        points_[to[static_cast<std::size_t>(of_point[i])]++] = static_cast<std::uint32_t>(i);
+    }
+  });
 }
 
 PlaneLabels cell_planes(const CanonicalCloud& cloud, const CellTree& tree, const BeamNoise& noise,

@@ -72,18 +72,32 @@ float out_of_range_from(const std::vector<float>& ranges) {
   return limit ? from : std::numeric_limits<float>::infinity();
 }
 
+// Indices of the points that are numbers.
+std::vector<std::uint32_t> finite_points(const PointCloud& cloud) {
+  constexpr std::size_t block = 16384;
+  std::vector<std::vector<std::uint32_t>> found(cloud.size() / block + 1);
+  parallel_blocks(cloud.size(), block, [&](std::size_t begin, std::size_t end) {
+    auto& here = found[begin / block];
+    here.reserve(end - begin);
+    for (std::size_t i = begin; i < end; ++i) {
+      const Eigen::Vector3d& p = cloud.points[i];
+      const double zero = 0.0 * p.x() + 0.0 * p.y() + 0.0 * p.z();  // else no number
+      if (zero == 0.0) here.push_back(static_cast<std::uint32_t>(i));
+    }
+  });
+  if (found.size() == 1) return std::move(found.front());
+  std::vector<std::uint32_t> all;
+  all.reserve(cloud.size());
+  for (const auto& here : found) all.insert(all.end(), here.begin(), here.end());
+  return all;
+}
+
 }  // namespace
 
 UsablePoints set_aside(const PointCloud& cloud, double body_radius) {
   UsablePoints usable;
-  usable.index.reserve(cloud.size());
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (cloud.points[i].allFinite()) {
-      usable.index.push_back(static_cast<std::uint32_t>(i));
-    } else {
-      ++usable.set_aside.not_finite;
-    }
-  }
+  usable.index = finite_points(cloud);
+  usable.set_aside.not_finite = cloud.size() - usable.index.size();
   if (cloud.sensor_poses.empty() || usable.index.empty()) return usable;
   const auto ranges = ranges_of(cloud, usable.index);
   const float limit = out_of_range_from(ranges);
