@@ -10,12 +10,9 @@ namespace scanchor {
 
 namespace {
 
-constexpr double angle_tolerance = radians(5.0);
 constexpr double angle_softness = radians(0.3);  // of faces that are taken for exactly flat
 constexpr double gross_share = 0.05;
 constexpr double gross_factor = 5.0;
-
-double sqr(double x) { return x * x; }
 
 /// The tilt of one direction against another, in the axes of its covariance.
 struct RelativeTilt {

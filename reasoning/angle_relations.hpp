@@ -1,9 +1,13 @@
 #pragma once
 // Relations of directions: parallel, orthogonal, horizontal, vertical.
 
+#include "core/math.hpp"
 #include "reasoning/relation.hpp"
 
 namespace scanchor {
+
+/// [rad] of "parallel" and "orthogonal".
+inline constexpr double angle_tolerance = radians(5.0);
 
 /// Between lines, 0 .. pi / 2 [rad].
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b);

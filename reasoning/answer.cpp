@@ -10,8 +10,8 @@ namespace scanchor {
 
 namespace {
 
-constexpr double margin = 0.1;       // two things nearer than that are told apart by nobody
-constexpr double well_hidden = 0.5;  // of an anchor: what would be there may be unseen
+constexpr double nearness_margin = 0.1;  // two things nearer than that are told apart by nobody
+constexpr double well_hidden = 0.5;      // of an anchor: what would be there may be unseen
 
 Limits limits_of_clause(const QueryClause& clause, const ClauseMatch& match,
                         const SceneThings& scene, std::int32_t id) {
@@ -272,7 +272,7 @@ void find(Answer& result, const QueryRef& ref, QueryMatcher& matcher, const Scen
   result.status = Answer::Status::ok;
   const bool unclear_order = ref.rank && holding.front()->rank < 0.5;
   if (one && holding.size() > 1 &&
-      (unclear_order || holding[0]->probability - holding[1]->probability < margin)) {
+      (unclear_order || holding[0]->probability - holding[1]->probability < nearness_margin)) {
     result.status = Answer::Status::ambiguous;
     result.ask = what_tells_apart(scene, holding[0]->id, holding[1]->id);
   }

@@ -6,6 +6,8 @@
 
 namespace scanchor {
 
+inline double sqr(double x) { return x * x; }
+
 /// Density of the normal distribution with mean 0 at x; sigma > 0.
 double normal_density(double x, double sigma);
 

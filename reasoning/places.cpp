@@ -113,8 +113,8 @@ std::int32_t level_face(const Surfaces& surfaces, const Labelling& labelling, st
   return best;
 }
 
-std::optional<Place> free_place(const PlaceQuestion& question, const Surfaces& surfaces,
-                                const Labelling& labelling, std::int32_t id) {
+std::optional<FoundPlace> free_place(const PlaceQuestion& question, const Surfaces& surfaces,
+                                     const Labelling& labelling, std::int32_t id) {
   const std::int32_t face = level_face(surfaces, labelling, id);
   if (face < 0) return std::nullopt;
   const Surface& surface = surfaces.surfaces[static_cast<std::size_t>(face)];
@@ -141,7 +141,7 @@ std::optional<Place> free_place(const PlaceQuestion& question, const Surfaces& s
   anywhere.outer = {level.whole};
   anywhere.holes.clear();
   for (const FreeSpace* space : {&level.space, &anywhere}) {
-    std::optional<Place> best;
+    std::optional<FoundPlace> best;
     for (const bool turned : {false, true}) {
       const double a = turned ? question.width : question.length;
       const double b = turned ? question.length : question.width;
@@ -159,7 +159,7 @@ std::optional<Place> free_place(const PlaceQuestion& question, const Surfaces& s
         (wider ? low : high) = middle;
       }
       if (best && best->margin >= low) continue;
-      Place place;
+      FoundPlace place;
       place.thing = id;
       place.margin = low;
       place.size = {question.length, question.width};
@@ -194,9 +194,9 @@ std::vector<char> floor_surfaces(const Surfaces& surfaces, const Labelling& labe
   return is_floor;
 }
 
-std::optional<Place> standing_place(const PlaceQuestion& question, const Surfaces& surfaces,
-                                    const Labelling& labelling, const SceneThings& scene,
-                                    const std::vector<char>& is_floor, std::int32_t id) {
+std::optional<FoundPlace> standing_place(const PlaceQuestion& question, const Surfaces& surfaces,
+                                         const Labelling& labelling, const SceneThings& scene,
+                                         const std::vector<char>& is_floor, std::int32_t id) {
   const Eigen::Matrix3d R = levelling(labelling.up);
   // Height of the floor: of its largest surface, below the thing.
   std::int32_t ground = -1;
@@ -258,7 +258,7 @@ std::optional<Place> standing_place(const PlaceQuestion& question, const Surface
   for (const FreeSpace* space : {&level.space, &anywhere}) {
     const auto spot = nearest_fit(*space, robot, window, wanted);
     if (!spot) continue;
-    Place place;
+    FoundPlace place;
     place.thing = id;
     place.size = {question.diameter, question.diameter};
     place.distance = -spot->x() - depth;
@@ -296,9 +296,10 @@ PlaceAnswer find_places(const PlaceQuestion& question, const Surfaces& surfaces,
     if (place) result.places.push_back(*place);
   }
   // What was seen comes first; the order of things otherwise.
-  std::stable_sort(result.places.begin(), result.places.end(), [](const Place& a, const Place& b) {
-    return (a.unseen < 0.01) > (b.unseen < 0.01);
-  });
+  std::stable_sort(result.places.begin(), result.places.end(),
+                   [](const FoundPlace& a, const FoundPlace& b) {
+                     return (a.unseen < 0.01) > (b.unseen < 0.01);
+                   });
   if (result.status == Answer::Status::ambiguous) return result;
   result.status = result.places.empty()                 ? Answer::Status::not_found
                   : result.places.front().unseen < 0.01 ? Answer::Status::ok

@@ -27,7 +27,7 @@ std::optional<PlaceQuestion> parse_place_question(const std::string& text,
 /// How it was read.
 std::string place_question_text(const PlaceQuestion& question);
 
-struct Place {
+struct FoundPlace {
   std::int32_t thing = -1;  ///< entity on which, or in front of which
   Eigen::Isometry3d T_cloud_place =
       Eigen::Isometry3d::Identity();               ///< z up; x along the longer side
@@ -42,8 +42,8 @@ struct PlaceAnswer {
   PlaceQuestion question;
   Answer thing;  ///< what the thing was found to be
   Answer::Status status =
-      Answer::Status::not_found;  ///< not_seen: only where the scan has not looked
-  std::vector<Place> places;      ///< one a thing, in the order of things
+      Answer::Status::not_found;   ///< not_seen: only where the scan has not looked
+  std::vector<FoundPlace> places;  ///< one a thing, in the order of things
 };
 
 /// A free place lies on the largest level face of the thing, turned as its sides are, on what was

@@ -13,10 +13,7 @@ namespace scanchor {
 
 namespace {
 
-constexpr double angle_tolerance = radians(5.0);
 constexpr double height_softness = 0.03;  // [m] of "bottom", "top", "elevation" limits, at least
-
-double sqr(double x) { return x * x; }
 
 Evidence inside(const Item& a, const Item& b) {
   const double common = share_over(a, b);

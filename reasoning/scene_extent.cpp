@@ -18,15 +18,16 @@ double sure_area(const Item& item) {
   return std::max(0.0, item.area.value - 2.0 * item.area.sigma);
 }
 
-struct Level {
+struct HeightShare {
   double z, area;
 };
 
 /// Height below which the given share of the area lies; NAN without area.
-double percentile(std::vector<Level> levels, double share) {
+double percentile(std::vector<HeightShare> levels, double share) {
   double total = 0.0;
   for (const auto& level : levels) total += level.area;
-  std::sort(levels.begin(), levels.end(), [](const Level& a, const Level& b) { return a.z < b.z; });
+  std::sort(levels.begin(), levels.end(),
+            [](const HeightShare& a, const HeightShare& b) { return a.z < b.z; });
   double below = 0.0;
   for (const auto& level : levels) {
     below += level.area;
@@ -42,8 +43,8 @@ double percentile(std::vector<Level> levels, double share) {
 double end_level(const std::vector<Item>& items, const std::vector<Evidence>& horizontal,
                  double sign) {
   constexpr double beyond = 0.3;
-  std::vector<Level> flat;
-  std::vector<Level> upright;
+  std::vector<HeightShare> flat;
+  std::vector<HeightShare> upright;
   for (const auto& item : items) {
     const double area = sure_area(item);
     if (!item.has_shape || area <= 0.0) continue;

@@ -10,14 +10,12 @@ namespace scanchor {
 
 namespace {
 
-constexpr double overlap_softness = 0.08;   // of the share that outlines leave open
-constexpr double height_softness = 0.02;    // [m] ends of outlines are a point spacing off
-constexpr double footprint_margin = 0.025;  // [m] that footprints of items hold
-constexpr double level_cosine = 0.94;       // normals this near to vertical: 20 degrees
+constexpr double overlap_softness = 0.08;  // of the share that outlines leave open
+constexpr double end_softness = 0.02;      // [m] ends of outlines are a point spacing off
+constexpr double held_margin = 0.025;      // [m] that footprints of items hold
+constexpr double level_cosine = 0.94;      // normals this near to vertical: 20 degrees
 constexpr double thickening = 0.2;  // [m] boxes further apart than that have no footprint in common
 constexpr double unseen_reach = 0.35;  // of its length that a thing is taken to go on unseen
-
-double sqr(double x) { return x * x; }
 
 bool is_level(const Item& item) { return !item.group && std::abs(item.normal.z()) > level_cosine; }
 
@@ -143,8 +141,8 @@ double top_under(const Item& b, const Item& a) {
 
 double share_over(const Item& a, const Item& b) {
   const auto own = [](const Item& item) {
-    return item.group ? -footprint_margin
-                      : (std::abs(item.normal.z()) < 0.09 ? 0.03 : 0.0) - footprint_margin;
+    return item.group ? -held_margin
+                      : (std::abs(item.normal.z()) < 0.09 ? 0.03 : 0.0) - held_margin;
   };
   const Footprint upper = resized(a.footprint, own(a));
   const Footprint lower = resized(b.footprint, own(b) + 0.05);
@@ -154,7 +152,7 @@ double share_over(const Item& a, const Item& b) {
 
 Evidence above_relation(const Item& a, const Item& b, const Surrounding& around) {
   const double measured = height_sigma(a, b, around);
-  const double s = std::hypot(measured, height_softness);
+  const double s = std::hypot(measured, end_softness);
   const double clearance = a.z_low - top_under(b, a);
   // Middle above middle makes above(a, b) + above(b, a) <= 1 hold for two things at one height.
   double heights = lower_likelihood(a.z - b.z, 0.0, s);
@@ -167,7 +165,7 @@ Evidence above_relation(const Item& a, const Item& b, const Surrounding& around)
 
 Evidence on_relation(const Item& a, const Item& b, const Surrounding& around) {
   const double measured = height_sigma(a, b, around);
-  const double s = std::hypot(measured, height_softness);
+  const double s = std::hypot(measured, end_softness);
   const double gap = a.z_low - top_under(b, a);
   double value = lower_likelihood(a.z - b.z, 0.0, s);
   if (value > 1e-6) value *= gap_likelihoods(a, gap, s).on;

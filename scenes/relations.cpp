@@ -12,7 +12,7 @@
 namespace scanchor {
 namespace {
 
-constexpr std::array<std::string_view, relation_count> names = {
+constexpr std::array<std::string_view, relation_count> relation_names = {
     "parallel", "orthogonal", "above",    "below",       "on",
     "supports", "inside",     "near",     "same size",   "vertically aligned",
     "coplanar", "left of",    "right of", "in front of", "behind"};
@@ -145,12 +145,12 @@ RelationMargin view_margin(const RelationBody& a, const RelationBody& b, Spatial
 }  // namespace
 
 std::string_view relation_name(SpatialRelation relation) {
-  return names[static_cast<std::size_t>(relation)];
+  return relation_names[static_cast<std::size_t>(relation)];
 }
 
 std::optional<SpatialRelation> find_relation(std::string_view name) {
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i] == name) return static_cast<SpatialRelation>(i);
+  for (std::size_t i = 0; i < relation_names.size(); ++i) {
+    if (relation_names[i] == name) return static_cast<SpatialRelation>(i);
   }
   return std::nullopt;
 }

@@ -47,7 +47,7 @@ Asked ask(const std::string& question, const std::vector<Named>& named,
 TEST(Places, AnEmptyDeskIsFreeInItsMiddle) {
   const Asked asked = ask("free place of 30 x 40 cm on a desk", room());
   ASSERT_EQ(asked.answer.status, Status::ok) << asked.text;
-  const Place& place = asked.answer.places.at(0);
+  const FoundPlace& place = asked.answer.places.at(0);
   EXPECT_NEAR((place.T_cloud_place.translation() - Eigen::Vector3d(0, 1, 0.74)).norm(), 0.0, 0.02);
   EXPECT_EQ(asked.json["kind"], "free_place");
   EXPECT_EQ(asked.json["places"][0]["corners"].size(), 4u);
@@ -64,7 +64,7 @@ TEST(Places, KeepsClearOfWhatStandsThere) {
   things.push_back({{{-0.3, 1, 1.6}, {0, 0, 1}, {1, 0, 0}, 0.5, 0.4}, "unknown"});
   const Asked asked = ask("free place of 60 x 40 cm on a desk", things);
   ASSERT_EQ(asked.answer.status, Status::ok) << asked.text;
-  const Place& place = asked.answer.places.at(0);
+  const FoundPlace& place = asked.answer.places.at(0);
   for (const double u : {-0.5, 0.5}) {
     for (const double v : {-0.5, 0.5}) {
       const Eigen::Vector3d corner =
@@ -94,7 +94,7 @@ TEST(Places, TellsSeenFromUnseen) {
 TEST(Places, ARobotStandsBeforeTheFront) {
   const Asked asked = ask("where could a robot stand in front of the cabinet?", room());
   ASSERT_EQ(asked.answer.status, Status::ok) << asked.text;
-  const Place& place = asked.answer.places.at(0);
+  const FoundPlace& place = asked.answer.places.at(0);
   EXPECT_NEAR((place.T_cloud_place.translation() - Eigen::Vector3d(2, 1.35, 0)).norm(), 0.0, 1e-6);
   EXPECT_NEAR((place.T_cloud_place.linear().col(0) - Eigen::Vector3d::UnitY()).norm(), 0.0, 1e-6)
       << "it looks at the cabinet";
