@@ -19,8 +19,8 @@ struct BeamNoise {
   static constexpr double grazing = 0.15;
 
   /// Least cosine at which a surface can be met at all: the points of one line of the sweep lie in
-  /// a plane with the sensor, and that plane is no surface.
-  static constexpr double edge_on = 0.05;
+  /// a plane with the sensor, and that plane is no surface (they show 0.01 and less).
+  static constexpr double edge_on = 0.02;
 
   double sigma = 0.0;  ///< [m] along the beam
   bool sensor_known = false;

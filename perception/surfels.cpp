@@ -56,7 +56,8 @@ Surfel fit_surfel(const Patch& patch, const BeamNoise& noise) {
   if (moments.n < fewest) return surfel;
   surfel.grown = settled ? grown_plane(moments, plane, noise) : grown_plane(moments, noise);
   const auto& v = surfel.grown.plane.variances;
-  if (v[1] >= breadth * v[0])
+  // The points of one line of the sweep lie in a plane with the sensor, which is none of theirs.
+  if (v[1] >= breadth * v[0] && !noise.is_edge_on(surfel.grown.plane, moments.mean()))
     surfel.tilt = noise.across(surfel.grown.plane, moments.mean()) / std::sqrt(moments.n * v[1]);
   return surfel;
 }

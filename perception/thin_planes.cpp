@@ -105,7 +105,9 @@ void find_more(ThinWork& work) {
       queue.assign(1, seed);
       grow(work, grown, queue, Grow::find, members);
     }
-    if (members.size() < fewest_points / 2) continue;
+    if (members.size() < fewest_points / 2 ||
+        work.noise.is_edge_on(grown.plane, grown.moments.mean()))
+      continue;
     for (const auto p : members) work.label[p] = static_cast<std::int32_t>(work.planes.size());
     work.planes.push_back(grown);
   }

@@ -79,5 +79,38 @@ TEST(Surfels, PointsOnALineKnowNoTilt) {
     EXPECT_GE(surfel.tilt, unknown_tilt);
 }
 
+// Lines of a sweep 15 cm apart, points 4 mm apart: a patch holds points of one line, and the plane
+// that fits them best holds the sensor too. It is no surface.
+TEST(Surfels, OneLineOfTheSweepKnowsNoPlane) {
+  SequentialRandom random(4);
+  const double sigma = 0.01;
+  std::vector<Eigen::Vector3d> points;
+  for (double y = -0.9; y < 1.0; y += 0.15) {
+    for (double z = -0.5; z < 0.5; z += 0.004) {
+      const Eigen::Vector3d d = Eigen::Vector3d(3.0, y, z).normalized();
+      points.push_back(d * (Eigen::Vector3d(3.0, y, z).norm() + sigma * random.normal()));
+    }
+  }
+  std::vector<std::uint32_t> all(points.size());
+  std::iota(all.begin(), all.end(), 0U);
+  auto cloud = canonical_cloud(points, all);
+  const BeamNoise noise(sigma, cloud.T_cloud_canonical.inverse() * Eigen::Vector3d::Zero());
+  see_from(noise.sensor, cloud);
+  const auto tree = cell_tree(cloud);
+  PlaneLabels labels;
+  labels.of_point.assign(cloud.size(), -1);
+  const auto pool =
+      point_pool(cloud, tree, labels, std::vector<std::int32_t>(tree.cells.size(), -1), sigma);
+  const Eigen::Vector3d wall =
+      cloud.T_cloud_canonical.linear().transpose() * Eigen::Vector3d::UnitX();
+  std::size_t known = 0, of_wall = 0;
+  for (const auto& surfel : fit_surfels(pool, noise)) {
+    if (surfel.tilt >= unknown_tilt) continue;
+    ++known;
+    of_wall += std::abs(surfel.grown.plane.normal.dot(wall)) > 0.8 ? 1U : 0U;
+  }
+  EXPECT_EQ(known, of_wall);
+}
+
 }  // namespace
 }  // namespace scanchor
