@@ -18,9 +18,9 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex = CGAL::Alpha_shape_vertex_base_2<Kernel>;
-using Face = CGAL::Alpha_shape_face_base_2<Kernel>;
-using Peer = CGAL::Alpha_shape_2<
-    CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>>>;
+using ShapeFace = CGAL::Alpha_shape_face_base_2<Kernel>;
+using Peer = CGAL::Alpha_shape_2<CGAL::Delaunay_triangulation_2<
+    Kernel, CGAL::Triangulation_data_structure_2<Vertex, ShapeFace>>>;
 using Edge = std::pair<std::pair<double, double>, std::pair<double, double>>;
 
 Edge edge(double ax, double ay, double bx, double by) {
