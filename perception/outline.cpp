@@ -5,137 +5,21 @@
 #include <limits>
 
 #include "perception/outline_contacts.hpp"
+#include "perception/outline_mesh.hpp"
 
 namespace scanchor {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-double median(std::vector<double>& values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Everything that the steps share.
-struct Work {
+struct Work : OutlineMesh {
   const PointCloud& cloud;
   const Surfaces& surfaces;
   const Surface& surface;
-  const OutlineSamples& input;
   double gate;
-  Triangulation mesh;
-  std::vector<Eigen::Vector3d> metric;  ///< of each sample, close together in memory
-  std::vector<SampleKind> kind;         ///< of each sample, specks corrected
-  std::vector<double> scale;  ///< longest side that a triangle at the sample may have; empty: limit
-  double limit = 0.0;         ///< the same for all samples
-  std::vector<char> kept;     ///< triangle stands for something measured and has a corner inside
-  double spacing = 0.0;
   std::vector<char> goes_on_behind;  ///< by other surface: this one is seen on both sides of it
-
-  [[nodiscard]] bool inside(std::uint32_t s) const { return kind[s] == SampleKind::inside; }
-  [[nodiscard]] bool thinned(std::uint32_t s) const { return input.samples[s].thinned; }
-  [[nodiscard]] int inside_corners(const Triangle& t) const {
-    return inside(t[0]) + inside(t[1]) + inside(t[2]);
-  }
-  [[nodiscard]] double distance(std::uint32_t a, std::uint32_t b) const {
-    return (metric[a] - metric[b]).norm();
-  }
-  /// Square of the longest side.
-  [[nodiscard]] double longest_square(const Triangle& t) const {
-    const Eigen::Vector3d &a = metric[t[0]], &b = metric[t[1]], &c = metric[t[2]];
-    return std::max({(a - b).squaredNorm(), (b - c).squaredNorm(), (c - a).squaredNorm()});
-  }
 };
-
-/// A lone ray that missed although all around it met the surface is a stray return, not a hole.
-void correct_specks(Work& work) {
-  const auto& samples = work.input.samples;
-  work.kind.resize(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i) work.kind[i] = samples[i].kind;
-  std::vector<char> seen(samples.size(), 0);     // sample outside
-  std::vector<char> company(samples.size(), 0);  // sample outside with a neighbour outside
-  for (std::size_t n = 0; n < work.mesh.triangles.size(); ++n) {
-    const Triangle& t = work.mesh.triangles[n];
-    const int in = work.inside_corners(t);
-    if (in == 3) continue;
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (!work.inside(t[k])) (in < 2 ? company : seen)[t[k]] = 1;
-      // On the hull a ray outside may have neighbours inside only; it is evidence all the same.
-      if (work.mesh.neighbours[n][k] < 0) company[t[(k + 1) % 3]] = company[t[(k + 2) % 3]] = 1;
-    }
-  }
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (seen[i] && !company[i] && samples[i].reachable) work.kind[i] = SampleKind::inside;
-  }
-}
-
-/// The spacing of the samples. With a view, rays are spread evenly and the median triangle tells it
-/// for the whole surface. Without, the spacing changes along the surface: median of the edges at a
-/// sample, then the median over its neighbours, so that the few long edges that span a gap do not
-/// speak for it.
-void measure_scale(Work& work) {
-  const auto& samples = work.input.samples;
-  std::vector<double> longest;
-  for (const Triangle& t : work.mesh.triangles) {
-    if (work.inside_corners(t) == 3 && !work.thinned(t[0]) && !work.thinned(t[1]) &&
-        !work.thinned(t[2]))
-      longest.push_back(work.longest_square(t));
-  }
-  if (longest.empty()) {
-    for (const Triangle& t : work.mesh.triangles) longest.push_back(work.longest_square(t));
-  }
-  work.spacing = std::sqrt(median(longest));
-  constexpr double bridged =
-      2.5;  // one missing sample between two doubles a side; two do not count as neighbours
-  work.limit = bridged * work.spacing;
-  if (work.input.with_view) return;
-
-  work.scale.assign(samples.size(), work.limit);
-  std::vector<std::uint32_t> begin(samples.size() + 1, 0);
-  for (const Triangle& t : work.mesh.triangles) {
-    for (const std::uint32_t s : t) begin[s + 1] += 2;
-  }
-  for (std::size_t i = 0; i < samples.size(); ++i) begin[i + 1] += begin[i];
-  std::vector<std::uint32_t> neighbour(begin.back());
-  std::vector<std::uint32_t> fill(begin.begin(), begin.end() - 1);
-  for (const Triangle& t : work.mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      neighbour[fill[t[k]]++] = t[(k + 1) % 3];
-      neighbour[fill[t[k]]++] = t[(k + 2) % 3];
-    }
-  }
-  std::vector<double> own(samples.size(), 0.0);
-  std::vector<double> values;
-  for (std::uint32_t i = 0; i < samples.size(); ++i) {
-    values.clear();
-    for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k)
-      values.push_back(work.distance(i, neighbour[k]));
-    own[i] = median(values);
-  }
-  for (std::uint32_t i = 0; i < samples.size(); ++i) {
-    values.clear();
-    for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) values.push_back(own[neighbour[k]]);
-    if (!values.empty())
-      work.scale[i] = bridged * std::max(median(values), std::min(own[i], 2.0 * median(values)));
-  }
-}
-
-void choose_triangles(Work& work) {
-  work.kept.resize(work.mesh.triangles.size());
-  for (std::size_t n = 0; n < work.mesh.triangles.size(); ++n) {
-    const Triangle& t = work.mesh.triangles[n];
-    const int in = work.inside_corners(t);
-    if (in == 0) continue;
-    // A thinned sample has all eight cells around it full: its triangles span nothing.
-    const bool deep = in == 3 && (work.thinned(t[0]) || work.thinned(t[1]) || work.thinned(t[2]));
-    double limit = work.limit;
-    if (!work.scale.empty())
-      limit = std::max({work.scale[t[0]], work.scale[t[1]], work.scale[t[2]]});
-    work.kept[n] = deep || work.longest_square(t) <= limit * limit;
-  }
-}
 
 /// What lies beyond the edge between sample i inside and sample j outside.
 EdgeKind kind_between(const Work& work, std::uint32_t i, std::uint32_t j) {
@@ -195,36 +79,7 @@ OutlineNode middle_node(const Work& work, std::uint32_t i, std::uint32_t j) {
   return {in.plane, reach};
 }
 
-constexpr std::uint32_t none = 0xffffffffU;
-
-/// Of each triangle that is kept: the first of those that hang together with it over sides that
-/// touch the inside.
-std::vector<std::uint32_t> connected_pieces(const Work& work) {
-  const auto& triangles = work.mesh.triangles;
-  const auto& neighbours = work.mesh.neighbours;
-  std::vector<std::uint32_t> piece(triangles.size(), none);
-  std::vector<std::uint32_t> todo;
-  for (std::uint32_t first = 0; first < triangles.size(); ++first) {
-    if (!work.kept[first] || piece[first] != none) continue;
-    piece[first] = first;
-    todo.push_back(first);
-    while (!todo.empty()) {
-      const std::uint32_t n = todo.back();
-      todo.pop_back();
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::int32_t m = neighbours[n][k];
-        if (m < 0 || !work.kept[static_cast<std::size_t>(m)]) continue;
-        std::uint32_t& other = piece[static_cast<std::size_t>(m)];
-        if (other != none ||
-            (!work.inside(triangles[n][(k + 1) % 3]) && !work.inside(triangles[n][(k + 2) % 3])))
-          continue;
-        other = first;
-        todo.push_back(static_cast<std::uint32_t>(m));
-      }
-    }
-  }
-  return piece;
-}
+constexpr std::uint32_t unset = 0xffffffffU;
 
 /// Boundary of the part inside, triangle by triangle. Nodes are made as they are met.
 std::vector<BoundarySegment> march(const Work& work, Outline& outline,
@@ -236,7 +91,7 @@ std::vector<BoundarySegment> march(const Work& work, Outline& outline,
     return n >= 0 && work.kept[static_cast<std::size_t>(n)];
   };
   const std::vector<std::uint32_t> pieces = connected_pieces(work);
-  std::vector<std::array<std::uint32_t, 3>> middle(triangles.size(), {none, none, none});
+  std::vector<std::array<std::uint32_t, 3>> middle(triangles.size(), {unset, unset, unset});
   const auto vertex_node = [&](std::uint32_t s) {
     if (node_of_sample[s] < 0) {
       node_of_sample[s] = static_cast<std::int32_t>(outline.nodes.size());
@@ -245,7 +100,7 @@ std::vector<BoundarySegment> march(const Work& work, Outline& outline,
     return static_cast<std::uint32_t>(node_of_sample[s]);
   };
   const auto middle_of = [&](std::size_t n, std::size_t k) {
-    if (middle[n][k] == none) {
+    if (middle[n][k] == unset) {
       std::uint32_t a = triangles[n][(k + 1) % 3];
       std::uint32_t b = triangles[n][(k + 2) % 3];
       if (!work.inside(a)) std::swap(a, b);
@@ -267,8 +122,8 @@ std::vector<BoundarySegment> march(const Work& work, Outline& outline,
     if (!work.kept[n]) continue;
     const Triangle& t = triangles[n];
     const std::uint32_t piece = pieces[n];
-    std::uint32_t leave = none;  // where the outline goes from inside to outside, and comes back
-    std::uint32_t enter = none;
+    std::uint32_t leave = unset;  // where the outline goes from inside to outside, and comes back
+    std::uint32_t enter = unset;
     std::size_t from = 0;
     std::size_t to = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -287,7 +142,7 @@ std::vector<BoundarySegment> march(const Work& work, Outline& outline,
         if (bare) segments.push_back({enter, vertex_node(b), piece, open});
       }
     }
-    if (leave == none) continue;
+    if (leave == unset) continue;
     // Of two pairs the one with the farther view decides: a passed ray is certain, a blocked one is
     // not.
     const EdgeKind first = kind_between(work, t[(from + 1) % 3], t[(from + 2) % 3]);
@@ -393,20 +248,10 @@ void widen_open_edges(const Work& work, const std::vector<std::int32_t>& node_of
 
 Outline find_outline(const PointCloud& cloud, const Surfaces& surfaces, const Surface& surface,
                      const OutlineSamples& samples, double gate) {
-  Work work{cloud, surfaces, surface, samples, gate, {}, {}, {}, {}, 0.0, {}, 0.0, {}};
-  std::vector<Eigen::Vector2d> chart(samples.samples.size());
-  work.metric.resize(chart.size());
-  for (std::size_t i = 0; i < chart.size(); ++i) {
-    chart[i] = samples.samples[i].chart;
-    work.metric[i] = samples.samples[i].metric;
-  }
-  work.mesh = delaunay(chart);
+  Work work{outline_mesh(samples), cloud, surfaces, surface, gate, {}};
   Outline outline;
   if (work.mesh.triangles.empty()) return outline;
-  correct_specks(work);
-  measure_scale(work);
   if (samples.with_view) work.goes_on_behind = goes_on_behind(surfaces, samples, gate);
-  choose_triangles(work);
   outline.spacing = work.spacing;
 
   std::vector<std::int32_t> node_of_sample(samples.samples.size(), -1);

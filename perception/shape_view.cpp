@@ -8,7 +8,7 @@
 namespace scanchor {
 namespace {
 
-constexpr std::uint32_t none = 0xffffffffU;
+constexpr std::uint32_t nowhere = 0xffffffffU;
 
 /// Face 0..5 of the cube (+x -x +y -y +z -z) that a direction passes, and where, in [-1, 1].
 struct CubePlace {
@@ -78,7 +78,7 @@ ShapeView::ShapeView(const PointCloud& cloud, const Eigen::Vector3d& sensor,
     for (std::size_t i = begin; i < end; ++i) {
       const Eigen::Vector3d d = cloud.points[i] - sensor;
       if (!d.allFinite() || d.squaredNorm() == 0.0) {
-        places[i].face = none;
+        places[i].face = nowhere;
         continue;
       }
       const CubePlace p = cube_place(d);
@@ -92,7 +92,7 @@ ShapeView::ShapeView(const PointCloud& cloud, const Eigen::Vector3d& sensor,
   std::vector<std::uint32_t> coarse(6 * coarse_side * coarse_side, 0);
   std::size_t rays = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    if (places[i].face == none) continue;
+    if (places[i].face == nowhere) continue;
     ++coarse[cell_in(i, coarse_side)];
     ++rays;
   }
@@ -104,8 +104,8 @@ ShapeView::ShapeView(const PointCloud& cloud, const Eigen::Vector3d& sensor,
   begin_.assign(cells + 1, 0);
   owner_.assign(cells, empty);
   for (std::size_t i = 0; i < n; ++i) {
-    if (places[i].face == none) {
-      cell_of_point[i] = none;
+    if (places[i].face == nowhere) {
+      cell_of_point[i] = nowhere;
       continue;
     }
     const std::uint32_t cell = cell_in(i, side_);
@@ -125,7 +125,8 @@ void ShapeView::fill_cells(const PointCloud& cloud, const std::vector<std::int32
   std::vector<std::uint32_t> order(begin_.back());
   std::vector<std::uint32_t> fill(begin_.begin(), begin_.end() - 1);
   for (std::size_t i = 0; i < cell_of_point.size(); ++i) {
-    if (cell_of_point[i] != none) order[fill[cell_of_point[i]]++] = static_cast<std::uint32_t>(i);
+    if (cell_of_point[i] != nowhere)
+      order[fill[cell_of_point[i]]++] = static_cast<std::uint32_t>(i);
   }
   rays_.resize(order.size());
   parallel_blocks(owner_.size(), 4096, [&](std::size_t begin, std::size_t end) {
@@ -179,7 +180,7 @@ void ShapeView::list_planes() {
   plane_begin_.assign(static_cast<std::size_t>(planes) + 1, 0);
   plane_cell_begin_ = plane_begin_;
   const auto each_ray_of_a_plane = [&](const auto& visit) {  // (plane, place, cell, first there)
-    std::vector<std::uint32_t> last(static_cast<std::size_t>(planes), none);
+    std::vector<std::uint32_t> last(static_cast<std::size_t>(planes), nowhere);
     for (std::uint32_t c = 0; c < owner_.size(); ++c) {
       for (std::uint32_t k = begin_[c]; k < begin_[c + 1]; ++k) {
         if (rays_[k].plane < 0) continue;
