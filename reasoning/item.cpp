@@ -47,6 +47,13 @@ Quantity quantity(const Measured& measured, double fallback_sigma, double hidden
   return q;
 }
 
+/// The longer half of a lopsided interval stands for another reading of a side: a shadow, a
+/// neighbour's points.
+double side_sigma(const Measured& measured, double fallback_sigma) {
+  const double half = std::min(measured.value - measured.low, measured.high - measured.value);
+  return half > 0.0 ? half / 1.96 : fallback_sigma;
+}
+
 /// Item::open of a surface; `x`, `y`: the rectangle's sides in the surface's frame.
 std::array<double, 4> open_sides(const Surface& surface, const Eigen::Vector2d& x,
                                  const Eigen::Vector2d& y) {
@@ -103,9 +110,9 @@ bool same_geometry(const Item& a, const Item& b) {
          a.along == b.along && a.across == b.across && a.half_length == b.half_length &&
          a.half_width == b.half_width && same(a.area, b.area) && same(a.extension, b.extension) &&
          same(a.width, b.width) && same(a.height, b.height) && a.open == b.open &&
-         same(a.rectangularness, b.rectangularness) && a.z_low == b.z_low && a.z_high == b.z_high &&
-         a.z == b.z && a.z_sigma == b.z_sigma && a.box.min() == b.box.min() &&
-         a.box.max() == b.box.max() && a.members == b.members;
+         a.edge_sigma == b.edge_sigma && same(a.rectangularness, b.rectangularness) &&
+         a.z_low == b.z_low && a.z_high == b.z_high && a.z == b.z && a.z_sigma == b.z_sigma &&
+         a.box.min() == b.box.min() && a.box.max() == b.box.max() && a.members == b.members;
 }
 
 std::vector<std::int32_t> first_of_twins(const std::vector<Item>& items) {
@@ -152,6 +159,8 @@ std::vector<Item> make_items(const Surfaces& surfaces, const Eigen::Matrix3d& R)
     const double edge = std::max(0.005, 0.5 * surfaces.point_spacing);
     item.extension = quantity(rectangle.length, edge, hidden);
     item.width = quantity(rectangle.width, edge, hidden);
+    item.edge_sigma =
+        std::max(side_sigma(rectangle.length, edge), side_sigma(rectangle.width, edge));
     item.area =
         quantity(surface.area, edge * (rectangle.length.value + rectangle.width.value), hidden);
     item.has_shape = rectangle.length.value > 0.0 && surface.area.value > 0.0;
@@ -243,6 +252,7 @@ Item make_group(const std::vector<Item>& items, std::vector<std::int32_t> member
     group.area.value += item.area.value;
     group.area.sigma = std::hypot(group.area.sigma, item.area.sigma);
     group.area.hidden = std::max(group.area.hidden, item.area.hidden);
+    group.edge_sigma = std::max(group.edge_sigma, item.edge_sigma);
     group.extension.sigma = std::max(group.extension.sigma, item.extension.sigma);
     group.width.sigma = std::max(group.width.sigma, item.width.sigma);
     group.extension.hidden = std::max(group.extension.hidden, item.extension.hidden);

@@ -46,6 +46,8 @@ struct Item {
   /// Share of the outline that faces each side (towards along, away, towards across, away) and ends
   /// in a shadow or at the end of the view: there the thing may go on.
   std::array<double, 4> open = {0.0, 0.0, 0.0, 0.0};
+  double edge_sigma = 0.0;  ///< [m] of a side of the rectangle; the sizes' own deviations hold
+                            ///< other readings of a side as well
   Quantity area, extension, width, height, rectangularness;
   double z_low = 0.0, z_high = 0.0, z = 0.0;  ///< lower end, upper end, middle
   double z_sigma = 0.0;

@@ -37,7 +37,7 @@ bool out_of_reach(const Clause& clause, const Item& a, const Item& b) {
       default:
         continue;
     }
-    if (std::max(a.extension.sigma, b.extension.sigma) > 0.1) continue;
+    if (std::max(a.edge_sigma, b.edge_sigma) > 0.1) continue;
     if (a.box.exteriorDistance(b.box) > reach) return true;
   }
   return false;

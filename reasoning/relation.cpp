@@ -45,7 +45,7 @@ Evidence near(const Item& a, const Item& b, double limit, double softness) {
   const bool faces = !a.group && !b.group;
   const Eigen::Vector3d step = faces ? nearest_step(a, b) : Eigen::Vector3d::Zero();
   const double gap = faces ? step.norm() : gap_distance(a, b);
-  const double measured = std::hypot(a.extension.sigma, b.extension.sigma);
+  const double measured = std::hypot(a.edge_sigma, b.edge_sigma);
   double value = upper_likelihood(gap, limit, std::hypot(measured, softness));
   // The matcher leaves out pairs whose boxes are farther apart (Matcher, out_of_reach).
   if (faces && gap > limit && gap < 2.0 * limit + 1.4 && value < 0.95) {
