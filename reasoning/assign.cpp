@@ -31,22 +31,6 @@ bool is_ancestor(const Ontology& ontology, int ancestor, int c) {
   return false;
 }
 
-/// A part that is only held together by its group (a board of a shelf, an end of the frame of a
-/// desk) is nothing by itself: it counts through the group.
-bool only_a_member(const Ontology& ontology, int c) {
-  const auto& description = ontology.classes[c];
-  if (description.part_of.empty()) return false;
-  const int whole = ontology.find(description.part_of);
-  for (std::size_t g = 0; g < ontology.classes.size(); ++g) {
-    const int group = static_cast<int>(g);
-    if (group != whole && ontology.classes[g].part_of != description.part_of) continue;
-    for (const auto& clause : all_clauses(ontology, group)) {
-      if (clause.kind == ClauseKind::group && clause.target == description.name()) return true;
-    }
-  }
-  return false;
-}
-
 bool related(const Ontology& ontology, const std::string& a, const std::string& b) {
   const int i = ontology.find(a);
   const int j = ontology.find(b);

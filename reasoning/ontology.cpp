@@ -197,6 +197,20 @@ std::vector<int> with_parents(const Ontology& ontology, int class_index) {
   return line;
 }
 
+bool only_a_member(const Ontology& ontology, int class_index) {
+  const auto& description = ontology.classes[class_index];
+  if (description.part_of.empty()) return false;
+  const int whole = ontology.find(description.part_of);
+  for (std::size_t g = 0; g < ontology.classes.size(); ++g) {
+    const int group = static_cast<int>(g);
+    if (group != whole && ontology.classes[g].part_of != description.part_of) continue;
+    for (const auto& clause : all_clauses(ontology, group)) {
+      if (clause.kind == ClauseKind::group && clause.target == description.name()) return true;
+    }
+  }
+  return false;
+}
+
 std::vector<Clause> all_clauses(const Ontology& ontology, int class_index) {
   std::vector<Clause> clauses;
   for (const int c : with_parents(ontology, class_index)) {

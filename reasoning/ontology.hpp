@@ -174,6 +174,10 @@ std::vector<int> evaluation_order(const Ontology& ontology);
 /// The class and the classes it is a kind of, the most general one first.
 std::vector<int> with_parents(const Ontology& ontology, int class_index);
 
+/// A part that only a group of its whole holds together (a board of a shelf, an end of the frame of
+/// a desk): nothing by itself, it counts through the group.
+bool only_a_member(const Ontology& ontology, int class_index);
+
 /// Clauses of a class with those of its parents in front.
 std::vector<Clause> all_clauses(const Ontology& ontology, int class_index);
 

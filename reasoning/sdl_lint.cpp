@@ -189,11 +189,10 @@ class Linter {
   void parts(int c) {
     const auto& description = ontology_.classes[c];
     if (description.part_of.empty()) return;
+    if (only_a_member(ontology_, c)) return;
     for (const auto& clause : all_clauses(ontology_, c)) {
+      if (clause.kind == ClauseKind::group) return;  // holds its whole together by its place
       if (clause.kind == ClauseKind::relation && clause.target == description.part_of) return;
-    }
-    for (const auto& clause : all_clauses(ontology_, ontology_.find(description.part_of))) {
-      if (clause.kind == ClauseKind::group && clause.target == description.name()) return;
     }
     add("part without relation", description, description.place,
         "class '" + description.name() + "' names no relation to its whole '" +

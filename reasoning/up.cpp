@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/math.hpp"
+#include "reasoning/up_evidence.hpp"
 
 namespace scanchor {
 
@@ -34,128 +35,15 @@ std::optional<Eigen::Vector3d> parse_direction(const std::string& text) {
 
 double area_of(const Surface& surface) { return surface.area.value; }
 
-/// Area that is within about 3 degrees of parallel or orthogonal to the direction, flat parts
-/// counted by their heights as well.
-double support(const Surfaces& surfaces, const Eigen::Vector3d& up) {
-  double sum = 0.0;
-  for (const auto& surface : surfaces.surfaces) {
-    if (area_of(surface) < smallest_area) continue;
-    const double c = std::abs(surface.plane.normal.dot(up));
-    const double off = std::min(std::acos(std::min(1.0, c)), std::asin(std::min(1.0, c)));
-    sum += area_of(surface) * std::exp(-0.5 * off * off / (radians(3.0) * radians(3.0)));
-  }
-  return sum;
-}
-
-/// Lowest and highest point of a surface's rectangle along a direction [m].
-std::pair<double, double> reach(const Surface& surface, const Eigen::Vector3d& up) {
-  const auto& r = surface.rectangle;
-  const double c = std::cos(r.angle);
-  const double s = std::sin(r.angle);
-  const Eigen::Matrix3d axes = surface.T_cloud_surface.linear();
-  const double half = 0.5 * std::abs(up.dot(axes * Eigen::Vector3d(c, s, 0.0))) * r.length.value +
-                      0.5 * std::abs(up.dot(axes * Eigen::Vector3d(-s, c, 0.0))) * r.width.value;
-  const double middle =
-      up.dot(surface.T_cloud_surface * Eigen::Vector3d(r.center.x(), r.center.y(), 0.0));
-  return {middle - half, middle + half};
-}
-
-/// Furniture stands on the floor and ends below the ceiling, and the tops among it lie in the lower
-/// half of the room, where they are seen from above. The sign of the sum says whether the direction
-/// or its opposite is up; about two units a square metre. Boards of high racks are seen from below
-/// and speak against it, so what stands weighs more than what lies.
-double upright_evidence(const Surfaces& surfaces, const Eigen::Vector3d& up) {
-  double low = INFINITY;
-  double high = -INFINITY;
-  for (const auto& surface : surfaces.surfaces) {
-    if (area_of(surface) < smallest_area || std::abs(surface.plane.normal.dot(up)) < 0.97) continue;
-    const double z = up.dot(surface.plane.centroid);
-    low = std::min(low, z);
-    high = std::max(high, z);
-  }
-  const bool seen_from_somewhere = !surfaces.sensor_positions.empty();
-  double evidence = 0.0;
-  for (const auto& surface : surfaces.surfaces) {
-    const double c = surface.plane.normal.dot(up);
-    if (area_of(surface) < 0.05) continue;
-    if (std::abs(c) < 0.1 && high - low > 1.8) {
-      const auto [bottom, top] = reach(surface, up);
-      // What is taller may be a wall, of which the other part is hidden. Each thing has one voice:
-      // the many small ones stand, while the large ones among those that hang are pieces of walls.
-      if (top - bottom > 0.45 * (high - low)) continue;
-      const double voice = std::min(1.0, area_of(surface) / 0.15);
-      if (bottom < low + 0.2 && top < high - 0.4) evidence += voice;
-      if (top > high - 0.2 && bottom > low + 0.4) evidence -= voice;
-    }
-    if (std::abs(c) < 0.97) continue;
-    const double z = up.dot(surface.plane.centroid);
-    // The lowest and the highest planes are floor and ceiling either way round; real ones come in
-    // pieces at several heights.
-    const double rim = std::max(0.15, 0.12 * (high - low));
-    if (z < low + rim || z > high - rim) continue;
-    const double weight = std::min(1.0, area_of(surface));
-    if (seen_from_somewhere) {
-      evidence += (c > 0.0 ? 1.5 : -1.5) * weight;
-    } else if (high - low > 1.8) {
-      evidence += (z < 0.5 * (low + high) ? 1.0 : -1.0) * weight;
-    }
-  }
-  return evidence;
-}
-
-/// What frames usually are (ROS REP 103): bodies and maps have z up; optical frames look along z
-/// and have y down. A frame in which everything lies in front of the origin, in a cone of 60
-/// degrees about z, is an optical one. A room's three directions have the same support but for what
-/// is hidden, so a little decides: 1 along the usual up direction (within 8 degrees), -1 against
-/// it, else 0.
-double usual_frame(const Surfaces& surfaces, const Eigen::Vector3d& trial) {
-  const bool optical =
-      std::all_of(surfaces.surfaces.begin(), surfaces.surfaces.end(), [](const Surface& surface) {
-        const Eigen::Vector3d& c = surface.plane.centroid;
-        return c.z() > 0.0 && c.head<2>().norm() < 1.7320508 * c.z();
-      });
-  const double along = optical ? -trial.y() : trial.z();
-  return std::abs(along) > std::cos(radians(8.0)) ? (along > 0.0 ? 1.0 : -1.0) : 0.0;
-}
-
 }  // namespace
 
 UpDirection find_up(const Surfaces& surfaces, const std::string& given, double sigma) {
   UpDirection result;
   result.sigma = sigma;
   if (given == "auto") {
-    // Three directions are enough: gravity is the normal of some large surface, or across two of
-    // them.
-    std::vector<Eigen::Vector3d> trials;
-    std::vector<const Surface*> large;
-    for (const auto& surface : surfaces.surfaces) {
-      if (area_of(surface) >= smallest_area) large.push_back(&surface);
-    }
-    std::stable_sort(large.begin(), large.end(),
-                     [](const auto* a, const auto* b) { return area_of(*a) > area_of(*b); });
-    if (large.size() > 24) large.resize(24);
-    for (std::size_t i = 0; i < large.size(); ++i) {
-      trials.push_back(large[i]->plane.normal);
-      for (std::size_t j = 0; j < i && j < 6; ++j) {
-        const Eigen::Vector3d across = large[i]->plane.normal.cross(large[j]->plane.normal);
-        if (across.norm() > 0.5) trials.push_back(across.normalized());
-      }
-    }
-    // A room has three such directions; up is the one with furniture on one side. Area decides
-    // first, then furniture.
-    double best = -1.0;
-    for (const auto& trial : trials) {
-      const double value =
-          support(surfaces, trial) * (1.0 + 0.15 * std::abs(usual_frame(surfaces, trial))) +
-          std::abs(upright_evidence(surfaces, trial));
-      if (value > best + 1e-9) {
-        best = value;
-        result.up = trial;
-      }
-    }
-    // The usual sign is worth two square metres of table tops.
-    if (upright_evidence(surfaces, result.up) + 2.0 * usual_frame(surfaces, result.up) < 0.0)
-      result.up = -result.up;
+    const auto best = up_candidates(surfaces).front();
+    result.up = best.up;
+    result.upright = best.probability;
     result.sigma = radians(5.0);
   } else {
     const auto direction = parse_direction(given);
@@ -210,10 +98,12 @@ UpDirection find_up(const Surfaces& surfaces, const std::string& given, double s
     if (step.norm() < 1e-9) break;
   }
   result.sigma = std::sqrt(0.5 * information.inverse().trace());
-  // One reading of the world is an even bet against "the cloud is upside down" only with a fair
-  // amount of furniture.
-  const double evidence = upright_evidence(surfaces, result.up);
-  result.upright = 1.0 / (1.0 + std::exp(-(evidence + std::log(50.0))));
+  if (given != "auto") {
+    // Who says where up is means it: it takes a fair amount of furniture to doubt the sign.
+    const double odds = up_evidence(surfaces, result.up).score() -
+                        up_evidence(surfaces, -result.up).score() + std::log(50.0);
+    result.upright = 1.0 / (1.0 + std::exp(-odds));
+  }
   return result;
 }
 

@@ -11,14 +11,13 @@ namespace scanchor {
 struct UpDirection {
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< unit, in the cloud's frame
   double sigma = 0.0;    ///< [rad] standard deviation of each of its two tilts
-  double upright = 1.0;  ///< [0, 1] probability that it is not the opposite one: furniture stands
-                         ///< on the floor, seen from above
+  double upright = 1.0;  ///< [0, 1] probability that it is up: of "auto" against all other
+                         ///< candidates, of a given direction against its opposite
   int supports = 0;      ///< surfaces that took part in the refinement
 };
 
-/// `given`: "x,y,z" or "auto" (the direction that most of the observed area is parallel or
-/// orthogonal to, its sign from the furniture). `sigma` [rad]: deviation of the given direction.
-/// Throws Error(wrong_usage) if `given` is neither.
+/// `given`: "x,y,z" or "auto" (the likeliest of up_candidates, up_evidence.hpp). `sigma` [rad]:
+/// deviation of the given direction. Throws Error(wrong_usage) if `given` is neither.
 UpDirection find_up(const Surfaces& surfaces, const std::string& given, double sigma);
 
 }  // namespace scanchor

@@ -31,6 +31,11 @@ TEST(SdlLint, FindsEachRule) {
             Rules{"same description"});
   EXPECT_EQ(rules("class b part of top:\n    vertical\nclass top:\n    lowest\n"),
             Rules{"part without relation"});
+  EXPECT_EQ(
+      rules("class top:\n    lowest\nclass end part of top:\n    vertical\nclass frame part of "
+            "top:\n    at least 2 ends, each pair\n        parallel\n"),
+      Rules{})
+      << "a group that is a part holds its whole together";
 }
 
 TEST(SdlLint, LooksAtWhatIsSaidOfTargets) {
