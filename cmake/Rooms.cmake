@@ -10,7 +10,8 @@ add_library(scanchor_warnings INTERFACE)
 target_compile_options(scanchor_warnings INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized -Wno-stringop-overread -Wno-stringop-overflow
   -Wno-array-bounds>)
-target_compile_options(scanchor_warnings INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wcast-align
+target_compile_options(scanchor_warnings INTERFACE -Wall -Wextra
+                       $<$<NOT:$<BOOL:$<TARGET_PROPERTY:SCANCHOR_SHARES_HELPERS>>>:-Wshadow> -Wnon-virtual-dtor -Wcast-align
                        $<$<BOOL:${SCANCHOR_WARNINGS_AS_ERRORS}>:-Werror>)
 if(SCANCHOR_SANITIZE)
   target_compile_options(scanchor_flags INTERFACE -fsanitize=${SCANCHOR_SANITIZE} -fno-omit-frame-pointer
