@@ -3,26 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/polygons.hpp"
+#include "perception/polygon_check.hpp"
+
 namespace scanchor {
 namespace {
 
 constexpr double touching = 1e-9;  // [m] borders belong to the free places
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-bool inside(const Ring& ring, const Eigen::Vector2d& p) {
-  bool odd = false;
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    const auto& a = ring[i];
-    const auto& b = ring[j];
-    if ((a.y() > p.y()) != (b.y() > p.y()) &&
-        p.x() < (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()) + a.x())
-      odd = !odd;
-  }
-  return odd;
-}
 
 /// Places of the origin of a shape at which it meets the obstacle: counter-clockwise.
 struct Forbidden {
@@ -32,7 +19,7 @@ struct Forbidden {
     if (!box.contains(p)) return false;
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Eigen::Vector2d edge = ring[(i + 1) % ring.size()] - ring[i];
-      if (cross(edge, p - ring[i]) <= touching * edge.norm()) return false;
+      if (cross2(edge, p - ring[i]) <= touching * edge.norm()) return false;
     }
     return true;
   }
@@ -44,7 +31,7 @@ Forbidden forbidden(const Ring& obstacle, const Ring& shape) {
     for (const auto& q : shape) sums.push_back(p - q);
   }
   Forbidden result;
-  result.ring = convex_hull_of(std::move(sums));
+  result.ring = convex_hull(std::move(sums));
   for (const auto& p : result.ring) result.box.extend(p);
   return result;
 }
@@ -82,12 +69,12 @@ class Fit {
   [[nodiscard]] bool allows(const Eigen::Vector2d& p) const {
     for (std::size_t i = 0; i < window_.size(); ++i) {
       const Eigen::Vector2d edge = window_[(i + 1) % window_.size()] - window_[i];
-      if (cross(edge, p - window_[i]) < -touching * edge.norm()) return false;
+      if (cross2(edge, p - window_[i]) < -touching * edge.norm()) return false;
     }
     for (const auto& f : forbidden_) {
       if (f.contains(p)) return false;
     }
-    const auto holds = [&](const Ring& ring) { return inside(ring, p); };
+    const auto holds = [&](const Ring& ring) { return contains(ring, p); };
     return (space_.outer.empty() || std::any_of(space_.outer.begin(), space_.outer.end(), holds)) &&
            std::none_of(space_.holes.begin(), space_.holes.end(), holds);
   }
@@ -109,11 +96,11 @@ class Fit {
       offer(a + edge * std::clamp(edge.dot(wanted - a) / edge.squaredNorm(), 0.0, 1.0));
       for (std::size_t k = i + 1; k < borders_.size(); ++k) {
         const Eigen::Vector2d other = borders_[k].to - borders_[k].from;
-        const double turn = cross(edge, other);
+        const double turn = cross2(edge, other);
         if (std::abs(turn) < 1e-12 * edge.norm() * other.norm()) continue;
         const Eigen::Vector2d step = borders_[k].from - a;
-        const double s = cross(step, other) / turn;
-        const double t = cross(step, edge) / turn;
+        const double s = cross2(step, other) / turn;
+        const double t = cross2(step, edge) / turn;
         if (s >= 0.0 && s <= 1.0 && t >= 0.0 && t <= 1.0) offer(a + s * edge);
       }
     }
@@ -134,47 +121,14 @@ class Fit {
   std::vector<Border> borders_;
 };
 
-/// [m2] of a simple ring within a convex region (Sutherland and Hodgman, 1974).
+/// [m2] of a simple ring within a convex region.
 double common_area(Ring ring, const Ring& region) {
-  for (std::size_t i = 0; i < region.size(); ++i) {
-    const Eigen::Vector2d a = region[i];
-    const Eigen::Vector2d edge = region[(i + 1) % region.size()] - a;
-    Ring kept;
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-      const auto& p = ring[k];
-      const auto& q = ring[(k + 1) % ring.size()];
-      const double here = cross(edge, p - a), there = cross(edge, q - a);
-      if (here >= 0.0) kept.push_back(p);
-      if ((here >= 0.0) != (there >= 0.0)) kept.push_back(p + (q - p) * (here / (here - there)));
-    }
-    ring = std::move(kept);
-  }
-  return ring.size() < 3 ? 0.0 : std::abs(ring_area(ring));
+  for (std::size_t i = 0; i < region.size(); ++i)
+    clip(ring, region[i], region[(i + 1) % region.size()]);
+  return std::abs(area_of(ring));
 }
 
 }  // namespace
-
-Ring convex_hull_of(std::vector<Eigen::Vector2d> points) {
-  // Andrew's monotone chain (Information Processing Letters 9, 1979).
-  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-  });
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return points;
-  Ring hull;
-  for (int half = 0; half < 2; ++half) {
-    const std::size_t start = hull.size();
-    for (const auto& p : points) {
-      while (hull.size() >= start + 2 &&
-             cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0.0)
-        hull.pop_back();
-      hull.push_back(p);
-    }
-    hull.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
-}
 
 std::optional<Eigen::Vector2d> nearest_fit(const FreeSpace& space, const Ring& shape,
                                            const Ring& window, const Eigen::Vector2d& wanted) {

@@ -17,9 +17,6 @@ struct FreeSpace {
   std::vector<Ring> obstacles;  ///< convex, in any order of turning; two points are a wall
 };
 
-/// Convex hull, counter-clockwise, no three corners on a line; fewer than three for points on one.
-Ring convex_hull_of(std::vector<Eigen::Vector2d> points);
-
 /// The place nearest to `wanted` for the origin of `shape` (convex, counter-clockwise, moved and
 /// not turned), such that the shape lies within the space and touches at most the borders; the
 /// origin within `window` (convex, counter-clockwise). Nothing where it fits nowhere. Exact: the

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/json.hpp"
+#include "core/math.hpp"
 #include "core/text.hpp"
 #include "reasoning/places.hpp"
 
@@ -160,7 +161,7 @@ std::string places_text(const PlaceAnswer& answer, const SceneThings& scene) {
     const Eigen::Vector3d x = place.T_cloud_place.linear().col(0);
     out += fmt::format("{} {} ({}): {:.2f} {:.2f} {:.2f}, turned {:.0f} deg",
                        free ? "on" : "before", place.thing, scene.entity(place.thing).label, at.x(),
-                       at.y(), at.z(), 57.29577951308232 * std::atan2(x.y(), x.x()));
+                       at.y(), at.z(), degrees(std::atan2(x.y(), x.x())));
     if (free) {
       out += fmt::format(", {:.0f} cm free around it", 100.0 * place.margin);
     } else {

@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/math.hpp"
+#include "core/polygons.hpp"
 #include "reasoning/free_space.hpp"
 
 namespace scanchor {
@@ -84,7 +85,7 @@ void add_obstacles(Level& level, const Surfaces& surfaces, const std::vector<cha
       shadow.push_back(p.head<2>());
     }
     if (top < low || bottom > high) continue;
-    Ring hull = convex_hull_of(std::move(shadow));
+    Ring hull = convex_hull(std::move(shadow));
     if (hull.size() >= 2) level.space.obstacles.push_back(std::move(hull));
   }
 }
@@ -183,9 +184,7 @@ std::vector<char> floor_surfaces(const Surfaces& surfaces, const Labelling& labe
   std::vector<char> is_floor(surfaces.surfaces.size(), 0);
   const int floor = scene.ontology().find("floor");
   for (std::size_t s = 0; s < is_floor.size() && floor >= 0; ++s) {
-    const Entity& entity = labelling.entities[s];
-    if (entity.label == "unknown" || entity.label == "ambiguous") continue;
-    const int c = scene.ontology().find(entity.label);
+    const int c = scene.ontology().find(labelling.entities[s].label);
     if (c < 0) continue;
     const auto& own = scene.ontology().classes[static_cast<std::size_t>(c)];
     if (c == floor || (!own.part_of.empty() && scene.ontology().find(own.part_of) == floor))

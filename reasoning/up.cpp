@@ -33,8 +33,6 @@ std::optional<Eigen::Vector3d> parse_direction(const std::string& text) {
   return v.normalized();
 }
 
-double area_of(const Surface& surface) { return surface.area.value; }
-
 }  // namespace
 
 UpDirection find_up(const Surfaces& surfaces, const std::string& given, double sigma) {
@@ -67,7 +65,7 @@ UpDirection find_up(const Surfaces& surfaces, const std::string& given, double s
         information * Eigen::Vector2d(e1.dot(start - up), e2.dot(start - up));
     int supports = 0;
     for (const auto& surface : surfaces.surfaces) {
-      const double area = area_of(surface);
+      const double area = surface.area.value;
       if (area < smallest_area) continue;
       const Eigen::Vector3d& n = surface.plane.normal;
       const double c = n.dot(up);

@@ -42,7 +42,7 @@ Eigen::Vector3d usual_up(const Surfaces& surfaces) {
 }
 
 /// One of each two that lie within 10 degrees of each other, or of each other's opposite.
-std::vector<Eigen::Vector3d> axes_of(const Surfaces& surfaces) {
+std::vector<Eigen::Vector3d> axes_of(const Surfaces& surfaces, const Eigen::Vector3d& usual) {
   std::vector<const Surface*> large;
   for (const auto& surface : surfaces.surfaces) {
     if (surface.area.value >= large_area) large.push_back(&surface);
@@ -64,7 +64,7 @@ std::vector<Eigen::Vector3d> axes_of(const Surfaces& surfaces) {
       if (across.norm() > 0.5) add(across.normalized());
     }
   }
-  add(usual_up(surfaces));
+  add(usual);
   return axes;
 }
 
@@ -118,20 +118,26 @@ UpEvidence up_evidence(const Surfaces& surfaces, const Eigen::Vector3d& up) {
 
 std::vector<UpCandidate> up_candidates(const Surfaces& surfaces) {
   const Eigen::Vector3d usual = usual_up(surfaces);
-  std::vector<UpCandidate> candidates;
-  for (const Eigen::Vector3d& axis : axes_of(surfaces)) {
+  struct Scored {
+    Eigen::Vector3d up;
+    double score;
+  };
+  std::vector<Scored> scored;
+  for (const Eigen::Vector3d& axis : axes_of(surfaces, usual)) {
     for (const double sign : {1.0, -1.0}) {
       const Eigen::Vector3d up = sign * axis;
       const double frame = up.dot(usual) > std::cos(radians(10.0)) ? usual_odds : 0.0;
-      candidates.push_back({up, up_evidence(surfaces, up).score() + frame});
+      scored.push_back({up, up_evidence(surfaces, up).score() + frame});
     }
   }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const auto& a, const auto& b) { return a.probability > b.probability; });
+  std::stable_sort(scored.begin(), scored.end(),
+                   [](const auto& a, const auto& b) { return a.score > b.score; });
+  std::vector<UpCandidate> candidates;
   double sum = 0.0;
-  const double best = candidates.front().probability;
-  for (auto& candidate : candidates)
-    sum += candidate.probability = std::exp(candidate.probability - best);
+  for (const auto& [up, score] : scored) {
+    candidates.push_back({up, std::exp(score - scored.front().score)});
+    sum += candidates.back().probability;
+  }
   for (auto& candidate : candidates) candidate.probability /= sum;
   return candidates;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenes/polygons.hpp"
+#include "core/polygons.hpp"
 #include "scenes/truth.hpp"
 
 namespace scanchor {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/math.hpp"
-#include "scenes/polygons.hpp"
+#include "core/polygons.hpp"
 #include "scenes/pose.hpp"
 #include "scenes/truth.hpp"
 

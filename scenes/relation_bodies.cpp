@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "core/math.hpp"
-#include "scenes/polygons.hpp"
+#include "core/polygons.hpp"
 #include "scenes/relations.hpp"
 #include "scenes/truth.hpp"
 

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "core/math.hpp"
+#include "core/polygons.hpp"
 #include "scenes/box_distance.hpp"
-#include "scenes/polygons.hpp"
 #include "scenes/truth.hpp"
 
 namespace scanchor {

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "core/math.hpp"
-#include "scenes/polygons.hpp"
+#include "core/polygons.hpp"
 
 namespace scanchor {
 namespace {
@@ -19,28 +19,6 @@ Eigen::Vector3d area_vector(const Part& part, std::size_t t) {
 }
 
 }  // namespace
-
-std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
-  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
-    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-  });
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return points;
-  std::vector<Eigen::Vector2d> hull(2 * points.size());
-  std::size_t n = 0;
-  const auto chain = [&](auto begin, auto end, std::size_t floor) {
-    for (auto it = begin; it != end; ++it) {
-      while (n >= floor + 2 && cross2(hull[n - 1] - hull[n - 2], *it - hull[n - 2]) <= 0) --n;
-      hull[n++] = *it;
-    }
-  };
-  chain(points.begin(), points.end(), 0);
-  const std::size_t lower = n - 1;
-  --n;  // the last point starts the upper chain again
-  chain(points.rbegin(), points.rend(), lower);
-  hull.resize(n - 1);
-  return hull;
-}
 
 PlaneRectangle smallest_rectangle(std::vector<Eigen::Vector2d> points) {
   PlaneRectangle best;

@@ -19,9 +19,6 @@ struct PlaneRectangle {
 };
 PlaneRectangle smallest_rectangle(std::vector<Eigen::Vector2d> points);
 
-/// Convex hull, counter-clockwise, without points on its edges (Andrew's monotone chain).
-std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points);
-
 /// Fills centre, normal, axis, size and area of every face from the part's triangles; names and
 /// `planar` stay. Curved faces get their area, the centroid of their triangles and a zero normal.
 void measure_faces(Part& part);

@@ -2,15 +2,9 @@
 
 #include <cmath>
 
+#include "core/polygons.hpp"
+
 namespace scanchor {
-namespace {
-
-double cross2(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-}  // namespace
-
 bool inside_mesh(const Part& part, const Eigen::Vector3d& point, double depth) {
   // Triangles over the point: a solid is entered and left, so an odd number of them is above one
   // inside. The point is moved off the lattice that corners and diagonals lie on.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/polygons.hpp"
 #include "core/random.hpp"
 
 namespace scanchor {
@@ -43,12 +44,6 @@ Ring moved(Ring ring, const Eigen::Vector2d& by) {
   return ring;
 }
 
-TEST(FreeSpace, HullOfPoints) {
-  const Ring hull = convex_hull_of({{0, 0}, {1, 0}, {0.5, 0.5}, {1, 1}, {0, 1}, {0.5, 0}});
-  EXPECT_EQ(hull.size(), 4u);
-  EXPECT_NEAR(ring_area(hull), 1.0, 1e-12);
-}
-
 TEST(FreeSpace, NearestFitIsThatOfAGrid) {
   SequentialRandom random(12);
   int fits = 0, none = 0;
@@ -61,7 +56,7 @@ TEST(FreeSpace, NearestFitIsThatOfAGrid) {
       for (int i = 0; i < 4; ++i)
         points.push_back(at +
                          Eigen::Vector2d(random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2)));
-      space.obstacles.push_back(convex_hull_of(points));
+      space.obstacles.push_back(convex_hull(points));
     }
     const double a = random.uniform(0.1, 0.3), b = random.uniform(0.1, 0.25);
     const Ring shape = box(-a, -b, a, b);

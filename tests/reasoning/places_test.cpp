@@ -47,7 +47,7 @@ TEST(Places, AnEmptyDeskIsFreeInItsMiddle) {
   EXPECT_EQ(asked.json["kind"], "free_place");
   EXPECT_EQ(asked.json["places"][0]["corners"].size(), 4u);
   EXPECT_NEAR(place.margin, 0.25, 0.005) << "0.8 m less 30 cm, both sides";
-  EXPECT_EQ(place.unseen, 0.0);
+  EXPECT_NEAR(place.unseen, 0.0, 1e-12);
 }
 
 TEST(Places, KeepsClearOfWhatStandsThere) {

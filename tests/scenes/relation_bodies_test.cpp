@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/math.hpp"
-#include "scenes/polygons.hpp"
+#include "core/polygons.hpp"
 #include "scenes/pose.hpp"
 #include "scenes/relations.hpp"
 #include "tests/scenes/support/scene_checks.hpp"

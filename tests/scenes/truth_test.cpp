@@ -55,11 +55,6 @@ TEST(Truth, NoDirectionGivesASmallerRectangle) {
   }
 }
 
-TEST(Truth, HullLeavesOutWhatLiesInsideOrOnEdges) {
-  EXPECT_EQ(convex_hull({{0, 0}, {1, 0}, {0.5, 0}, {1, 1}, {0, 1}, {0.4, 0.6}, {1, 1}}).size(), 4U);
-  EXPECT_EQ(convex_hull({{0, 0}}).size(), 1U);
-}
-
 TEST(Truth, AreaOfAnLShapeIsLessThanItsRectangle) {
   const Part part =
       prism_part("top", 0, {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 3}, {0, 3}}, 0.7, 0.75);

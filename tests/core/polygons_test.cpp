@@ -1,4 +1,4 @@
-#include "scenes/polygons.hpp"
+#include "core/polygons.hpp"
 
 #include <gtest/gtest.h>
 
@@ -59,6 +59,14 @@ TEST(Polygons, OverlapShareAgreesWithSampling) {
     EXPECT_NEAR(overlap_share(a, b), static_cast<double>(inside) / samples, 0.015);
   }
   EXPECT_EQ(overlap_share({}, rectangle(0, 0, 1, 1)), 0.0);
+}
+
+TEST(Polygons, HullLeavesOutWhatLiesInsideOrOnEdges) {
+  EXPECT_EQ(convex_hull({{0, 0}, {1, 0}, {0.5, 0}, {1, 1}, {0, 1}, {0.4, 0.6}, {1, 1}}).size(), 4U);
+  EXPECT_EQ(convex_hull({{0, 0}}).size(), 1U);
+  const Ring2 hull = convex_hull({{0, 0}, {1, 0}, {0.5, 0.5}, {1, 1}, {0, 1}, {0.5, 0}});
+  EXPECT_EQ(hull.size(), 4U);
+  EXPECT_NEAR(area_of(hull), 1.0, 1e-12);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-#include "scenes/polygons.hpp"
+#include "core/polygons.hpp"
 
-#include "scenes/truth.hpp"
+#include <algorithm>
 
 namespace scanchor {
 
@@ -13,6 +13,28 @@ double area_of(const Ring2& ring) {
   for (std::size_t i = 0; i < ring.size(); ++i)
     twice += cross2(ring[i], ring[(i + 1) % ring.size()]);
   return ring.size() < 3 ? 0.0 : 0.5 * twice;
+}
+
+Ring2 convex_hull(std::vector<Eigen::Vector2d> points) {
+  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
+    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+  });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 3) return points;
+  Ring2 hull(2 * points.size());
+  std::size_t n = 0;
+  const auto chain = [&](auto begin, auto end, std::size_t floor) {
+    for (auto it = begin; it != end; ++it) {
+      while (n >= floor + 2 && cross2(hull[n - 1] - hull[n - 2], *it - hull[n - 2]) <= 0) --n;
+      hull[n++] = *it;
+    }
+  };
+  chain(points.begin(), points.end(), 0);
+  const std::size_t lower = n - 1;
+  --n;  // the last point starts the upper chain again
+  chain(points.rbegin(), points.rend(), lower);
+  hull.resize(n - 1);
+  return hull;
 }
 
 void clip(Ring2& ring, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
