@@ -17,6 +17,7 @@
 #include <tuple>
 
 #include "core/math.hpp"
+#include "eval/labels.hpp"
 #include "eval/plane_relations.hpp"
 #include "eval/run.hpp"
 #include "perception/perceive.hpp"
@@ -26,29 +27,14 @@
 namespace scanchor {
 namespace {
 
-constexpr int bin_count = 15;
-
-/// Fifteen even bins of likelihood (C. Guo et al., ICML 2017, equation 3).
+/// Statements of one relation, counted in fifteen bins (eval/labels.hpp).
 struct Bins {
-  std::array<double, bin_count> said{}, held{}, number{};
-  void add(double probability, bool holds) {
-    const int bin = std::min(bin_count - 1, static_cast<int>(probability * bin_count));
-    const auto k = static_cast<std::size_t>(bin);
-    said[k] += probability;
-    held[k] += holds ? 1.0 : 0.0;
-    number[k] += 1.0;
-  }
-  [[nodiscard]] double error() const {
-    double off = 0.0, all = 0.0;
-    for (std::size_t k = 0; k < bin_count; ++k) {
-      off += std::abs(said[k] - held[k]);
-      all += number[k];
-    }
-    return all > 0.0 ? off / all : 0.0;
-  }
-  [[nodiscard]] double count() const {
-    double all = 0.0;
-    for (const double n : number) all += n;
+  std::vector<ReliabilityBin> bins = std::vector<ReliabilityBin>(15);
+  void add(double probability, bool holds) { add_to_bins(bins, probability, holds); }
+  [[nodiscard]] double error() const { return expected_calibration_error(bins); }
+  [[nodiscard]] std::int64_t count() const {
+    std::int64_t all = 0;
+    for (const auto& bin : bins) all += bin.count;
     return all;
   }
 };
@@ -162,11 +148,10 @@ int run(int rooms, std::uint64_t seed, const std::string& family) {
       add_pairs(lists, all);
     }
     for (const auto& [relation, own] : bins)
-      fmt::print("{:<20} {:>7.0f} {:>8.3f}   at {:g} m\n", relation, own.count(), own.error(),
-                 sigma);
+      fmt::print("{:<20} {:>7} {:>8.3f}   at {:g} m\n", relation, own.count(), own.error(), sigma);
   }
   for (const auto& [relation, own] : all)
-    fmt::print("{:<20} {:>7.0f} {:>8.3f}   all\n", relation, own.count(), own.error());
+    fmt::print("{:<20} {:>7} {:>8.3f}   all\n", relation, own.count(), own.error());
   counts.print();
   return 0;
 }

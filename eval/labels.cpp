@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "eval/overlap.hpp"
+#include "eval/statistics.hpp"
 
 namespace scanchor {
 namespace {
@@ -15,13 +16,6 @@ std::size_t bin_of(double probability, std::size_t bins) {
   return static_cast<std::size_t>(std::max(place, 0.0));
 }
 
-void put(std::vector<ReliabilityBin>& bins, double probability, bool right) {
-  auto& bin = bins[bin_of(probability, bins.size())];
-  ++bin.count;
-  bin.right += right ? 1 : 0;
-  bin.probability.add(probability);
-}
-
 void add_bins(std::vector<ReliabilityBin>& to, const std::vector<ReliabilityBin>& from) {
   if (to.size() < from.size()) to.resize(from.size());
   for (std::size_t i = 0; i < from.size(); ++i) {
@@ -31,11 +25,14 @@ void add_bins(std::vector<ReliabilityBin>& to, const std::vector<ReliabilityBin>
   }
 }
 
-double ratio(std::int64_t part, std::int64_t whole) {
-  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
-}
-
 }  // namespace
+
+void add_to_bins(std::vector<ReliabilityBin>& bins, double probability, bool right) {
+  auto& bin = bins[bin_of(probability, bins.size())];
+  ++bin.count;
+  bin.right += right ? 1 : 0;
+  bin.probability.add(probability);
+}
 
 void LabelScore::add(const LabelScore& other) {
   things += other.things;
@@ -71,29 +68,33 @@ LabelScore score_labels(const std::vector<LabelledThing>& things, const Protocol
       ++score.unknown;
       score.unknown_right += thing.truth == unlabelled ? 1 : 0;
     } else {
-      put(score.reliability, thing.probability, thing.label == thing.truth);
-      put(score.risk, thing.probability, thing.label == thing.truth);
+      add_to_bins(score.reliability, thing.probability, thing.label == thing.truth);
+      add_to_bins(score.risk, thing.probability, thing.label == thing.truth);
     }
   }
   return score;
 }
 
-double expected_calibration_error(const LabelScore& score) {
+double expected_calibration_error(const std::vector<ReliabilityBin>& bins) {
   std::int64_t all = 0;
   double error = 0;
-  for (const auto& bin : score.reliability) {
+  for (const auto& bin : bins) {
     all += bin.count;
     error += std::abs(static_cast<double>(bin.right) - bin.probability.value());
   }
   return all > 0 ? error / static_cast<double>(all) : 0.0;
 }
 
+double expected_calibration_error(const LabelScore& score) {
+  return expected_calibration_error(score.reliability);
+}
+
 double brier_score(const LabelScore& score) {
   return score.brier_things > 0 ? score.brier.value() / static_cast<double>(score.brier_things)
                                 : 0.0;
 }
-double unknown_rate(const LabelScore& score) { return ratio(score.unknown, score.things); }
-double ambiguous_rate(const LabelScore& score) { return ratio(score.ambiguous, score.things); }
+double unknown_rate(const LabelScore& score) { return ratio_of(score.unknown, score.things); }
+double ambiguous_rate(const LabelScore& score) { return ratio_of(score.ambiguous, score.things); }
 
 std::vector<RiskPoint> risk_coverage(const LabelScore& score) {
   std::vector<RiskPoint> points;
@@ -103,7 +104,7 @@ std::vector<RiskPoint> risk_coverage(const LabelScore& score) {
     if (score.risk[i].count == 0) continue;
     taken += score.risk[i].count;
     wrong += score.risk[i].count - score.risk[i].right;
-    points.push_back({ratio(taken, score.things), ratio(wrong, taken),
+    points.push_back({ratio_of(taken, score.things), ratio_of(wrong, taken),
                       static_cast<double>(i) / static_cast<double>(score.risk.size())});
   }
   return points;

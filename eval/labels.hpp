@@ -31,6 +31,9 @@ struct ReliabilityBin {
   friend bool operator==(const ReliabilityBin&, const ReliabilityBin&) = default;
 };
 
+/// Counts a statement in its bin; bins of equal width, (low, high], the first one with 0.
+void add_to_bins(std::vector<ReliabilityBin>& bins, double probability, bool right);
+
 struct LabelScore {
   static constexpr std::size_t risk_bins = 100;
   std::int64_t things = 0;  ///< labels that count, unknown and ambiguous ones too
@@ -49,6 +52,7 @@ struct LabelScore {
 LabelScore score_labels(const std::vector<LabelledThing>& things, const Protocol& protocol);
 
 /// Sum over bins of (share of the labels) x |share right - mean probability|, in [0, 1].
+double expected_calibration_error(const std::vector<ReliabilityBin>& bins);
 double expected_calibration_error(const LabelScore& score);
 /// Mean of sum over classes (p - [class is the truth])^2, in [0, 2].
 double brier_score(const LabelScore& score);
