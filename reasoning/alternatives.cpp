@@ -15,9 +15,13 @@ namespace scanchor {
 namespace {
 
 constexpr int most_pieces = 6;
+constexpr int apart = -1;               // pieces: those between which wide gaps are
 constexpr double shortest_piece = 0.2;  // [m]
 constexpr double widest_shadow = 0.6;   // [m]
 const double prior_of_seam = std::log(0.3);
+// Where the outline falls apart by more than a shadow covers, training rooms hold seven times as
+// many rows of things as things in pieces.
+const double prior_of_gap = std::log(7.0);
 const double prior_of_even_cut = std::log(0.02);
 const double prior_of_join = std::log(0.3);
 // Of two things beside each other about one in ten has both sides in line; of one thing all have.
@@ -85,6 +89,7 @@ class Reader {
 
   std::vector<Choice> choose() {
     std::vector<Choice> choices;
+    cut_all({apart}, choices);
     cut_all({0}, choices);
     cut_all({2, 3, 4, 5, most_pieces}, choices);
     join_all(choices);
@@ -130,17 +135,18 @@ class Reader {
 
   struct Cut {
     std::int32_t surface;
-    bool at_seams;
+    double prior;
     std::size_t first, count;  ///< of its pieces among those added
   };
 
-  /// Where a surface is cut into so many pieces, 0: into those its outline falls into; empty: not.
+  /// Where a surface is cut into so many pieces, 0: into those its outline falls into, `apart`: by
+  /// more than a shadow; empty: not.
   [[nodiscard]] std::vector<double> cuts_of(const Surface& surface, int pieces,
-                                            bool& at_seams) const {
+                                            double& prior) const {
     const double length = surface.rectangle.length.value;
-    at_seams = true;
-    if (pieces == 0) {
-      const auto seams = outline_seams(surface);
+    prior = pieces == apart ? prior_of_gap : prior_of_seam;
+    if (pieces <= 0) {
+      const auto seams = outline_seams(surface, pieces == apart ? widest_shadow : 0.0);
       if (seams.size() >= most_pieces) return {};
       return seams;
     }
@@ -148,7 +154,7 @@ class Reader {
     if (length < shortest_piece * pieces || !outline_seams(surface).empty()) return {};
     if (auto seams = find_seams(surface, cloud_.points, pieces, surfaces_.point_spacing))
       return *seams;
-    at_seams = false;
+    prior = prior_of_even_cut;
     std::vector<double> cuts;
     for (int k = 1; k < pieces; ++k) cuts.push_back(length * (k / double(pieces) - 0.5));
     return cuts;
@@ -205,36 +211,37 @@ class Reader {
     std::vector<Cut> cuts;
     std::vector<Surface> added;
     for (const auto& surface : surfaces_.surfaces) {
-      if (surface.inliers.empty() || surface.rectangularness < 0.6) continue;
+      const bool by_gaps = numbers.front() == apart;
+      if (surface.inliers.empty() || (!by_gaps && surface.rectangularness < 0.6)) continue;
       // What is likelier than not as it is does not compete: a wide desk is no two narrow ones.
       const auto& as_it_is = as_it_is_.of_class[surface.id];
-      if (as_it_is[as_it_is_.best(surface.id)] > 0.0) continue;
+      if (!by_gaps && as_it_is[as_it_is_.best(surface.id)] > 0.0) continue;
       std::vector<Surface> best;
-      bool best_at_seams = false;
+      double prior_of_best = 0.0;
       double most = -INFINITY;
       for (const int pieces : numbers) {
-        bool at_seams = false;
-        const auto places = cuts_of(surface, pieces, at_seams);
+        double prior = 0.0;
+        const auto places = cuts_of(surface, pieces, prior);
         if (places.empty()) continue;
         auto parts = cut_surface(surface, cloud_.points, places);
-        if (!parts || !are_equal(*parts)) continue;
-        const double prior = at_seams ? prior_of_seam : prior_of_even_cut;
+        if (!parts || (!by_gaps && !are_equal(*parts))) continue;
+        const bool at_seams = prior != prior_of_even_cut;
         const double gain = most_of_all(*parts, at_seams) - as_it_is_.all(surface.id) + prior;
         if (gain <= 0.0 || gain <= most) continue;
         most = gain;
         best = std::move(*parts);
-        best_at_seams = at_seams;
+        prior_of_best = prior;
       }
       if (best.empty()) continue;
       removed.push_back(surface.id);
-      cuts.push_back({surface.id, best_at_seams, added.size(), best.size()});
+      cuts.push_back({surface.id, prior_of_best, added.size(), best.size()});
       for (auto& part : best) added.push_back(std::move(part));
     }
     if (removed.empty()) return;
     std::vector<std::int32_t> place;
     const Explained now = explain(with_changed(surfaces_, removed, added, &place));
     for (const auto& cut : cuts) {
-      const double prior = cut.at_seams ? prior_of_seam : prior_of_even_cut;
+      const double prior = cut.prior;
       int best_class = -1;
       double best = -INFINITY;
       for (std::size_t c = 0; c < ontology_.classes.size(); ++c) {
@@ -253,7 +260,7 @@ class Reader {
       choice.removed = {cut.surface};
       choice.added.assign(added.begin() + static_cast<long>(cut.first),
                           added.begin() + static_cast<long>(cut.first + cut.count));
-      choice.alternative.kind = cut.at_seams ? "cut at seams" : "cut evenly";
+      choice.alternative.kind = cut.prior != prior_of_even_cut ? "cut at seams" : "cut evenly";
       choice.alternative.class_name = ontology_.classes[best_class].name();
       choice.alternative.log_ratio = gain;
       choice.alternative.log_prior = prior;

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "reasoning/background.hpp"
+#include "reasoning/faces.hpp"
 #include "reasoning/hold_together.hpp"
 #include "reasoning/proof.hpp"
 
@@ -114,41 +115,6 @@ void keep_unique(std::vector<std::vector<Scored>>& scored, const Ontology& ontol
       if (i != best && at != scored[i].end()) scored[i].erase(at);
     }
   }
-}
-
-/// What a shadow, a cable or a monitor's foot may hide between pieces of one top.
-constexpr double widest_gap = 0.4;  // [m]
-
-/// Are these and one more, lying in one plane, together no larger than the class is at most and
-/// usually is? The halves of a desk make a desk, two desks in a row do not. Of a class without a
-/// size only what touches is one.
-bool is_one(const std::vector<Clause>& clauses, const std::vector<Item>& items,
-            const std::vector<std::size_t>& pieces, const Item& more, bool touch) {
-  const Item& frame = items[pieces.front()];
-  Eigen::Vector2d low(INFINITY, INFINITY), high = -low;
-  const auto extend = [&](const Item& item) {
-    for (const double u : {-item.half_length, item.half_length}) {
-      for (const double v : {-item.half_width, item.half_width}) {
-        const Eigen::Vector3d corner = item.center + u * item.along + v * item.across;
-        const Eigen::Vector2d at(frame.along.dot(corner), frame.across.dot(corner));
-        low = low.cwiseMin(at);
-        high = high.cwiseMax(at);
-      }
-    }
-  };
-  for (const auto piece : pieces) extend(items[piece]);
-  extend(more);
-  const double length = (high - low).maxCoeff(), width = (high - low).minCoeff();
-  bool told = false;
-  for (const auto& clause : clauses) {
-    if (clause.kind != ClauseKind::feature || !clause.range.has_high()) continue;
-    if (clause.feature == Feature::extension) {
-      if (length > clause.range.high) return false;
-      told = true;
-    }
-    if (clause.feature == Feature::width && width > clause.range.high) return false;
-  }
-  return told || touch;
 }
 
 }  // namespace
@@ -317,46 +283,7 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
     if (entity.whole < 0) withdraw(entity);
   }
 
-  // Faces of one thing: they meet at a right angle or lie in one plane, and are of one class that
-  // may have several faces. The largest one stands for the thing.
-  std::vector<std::size_t> faces;
-  for (std::size_t i = 0; i < matcher.surface_count(); ++i) {
-    const int c = find(entities[i].label);
-    if (c >= 0 && ontology.classes[c].several_faces && entities[i].whole < 0) faces.push_back(i);
-  }
-  std::stable_sort(faces.begin(), faces.end(), [&](std::size_t a, std::size_t b) {
-    return entities[a].area > entities[b].area;
-  });
-  std::vector<char> taken(matcher.surface_count(), 0);
-  for (const auto first : faces) {
-    if (taken[first] != 0) continue;
-    std::vector<std::size_t> thing = {first};
-    taken[first] = 1;
-    const auto& clauses = matcher.clauses(find(entities[first].label));
-    for (std::size_t k = 0; k < thing.size(); ++k) {
-      for (const auto other : faces) {
-        if (taken[other] != 0 || entities[other].label != entities[first].label) continue;
-        const Item& a = items[thing[k]];
-        const Item& b = items[other];
-        if (a.box.exteriorDistance(b.box) > widest_gap) continue;
-        const bool in_plane = relate({Relation::coplanar, {}}, a, b, {}).likelihood >= 0.5;
-        const bool bent = relate({Relation::orthogonal, {}}, a, b, {}).likelihood >= 0.5;
-        const bool touch = relate({Relation::touching, {}}, a, b, {}).likelihood >= 0.5;
-        if (!(touch && bent) && !(in_plane && is_one(clauses, items, thing, items[other], touch)))
-          continue;
-        taken[other] = 1;
-        thing.push_back(other);
-      }
-    }
-    for (std::size_t k = 1; k < thing.size(); ++k) {
-      auto& face = entities[thing[k]];
-      face.whole = static_cast<std::int32_t>(first);
-      for (const auto s : face.surfaces) {
-        entities[first].surfaces.push_back(s);
-        labelling.entity_of_surface[s] = static_cast<std::int32_t>(first);
-      }
-    }
-  }
+  gather_faces(matcher, ontology, labelling);
 }
 
 }  // namespace scanchor

@@ -145,7 +145,7 @@ std::optional<std::vector<Surface>> cut_surface(const Surface& surface,
   return pieces;
 }
 
-std::vector<double> outline_seams(const Surface& surface) {
+std::vector<double> outline_seams(const Surface& surface, double gap) {
   const RectangleSides sides(surface.rectangle);
   double largest = 0.0;
   for (const auto& polygon : surface.polygons) largest = std::max(largest, polygon.area());
@@ -164,7 +164,7 @@ std::vector<double> outline_seams(const Surface& surface) {
   std::vector<double> seams;
   double reached = spans.empty() ? 0.0 : spans.front().second;
   for (const auto& [low, high] : spans) {
-    if (low > reached) seams.push_back(0.5 * (low + reached));
+    if (low > reached + gap) seams.push_back(0.5 * (low + reached));
     reached = std::max(reached, high);
   }
   return seams;

@@ -15,9 +15,9 @@ std::optional<std::vector<Surface>> cut_surface(const Surface& surface,
                                                 const std::vector<Eigen::Vector3d>& points,
                                                 const std::vector<double>& cuts);
 
-/// Positions at which the outline itself falls into pieces side by side, slivers (less than a tenth
-/// of the largest) left out; empty where it does not.
-std::vector<double> outline_seams(const Surface& surface);
+/// Positions at which the outline itself falls into pieces side by side, more than `gap` [m] apart;
+/// slivers (less than a tenth of the largest) left out; empty where it does not.
+std::vector<double> outline_seams(const Surface& surface, double gap = 0.0);
 
 /// Positions near the even ones at which the points thin out over the whole width: where two things
 /// meet. `spacing`: of the cloud [m]. As many as asked for (`pieces` - 1), or nothing.

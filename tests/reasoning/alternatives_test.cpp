@@ -104,6 +104,22 @@ TEST(Alternatives, AWideThingStaysOne) {
   EXPECT_EQ(test::count_things(labelling, "board"), 1);
 }
 
+TEST(Alternatives, ARowWithWideGapsIsSeveralThings) {
+  // Two boards of 1.6 and 1.7 m in one plane: as one they are no worse a "panel", but a gap of 0.8
+  // m says that they are two; one of 0.4 m may be a shadow's.
+  const Ontology panels = parse_ontology(
+      "class panel:\n    extension 1.5..6 m\n    width 0.8..1.4 m\n    vertical\n", "own.sdl");
+  const auto count = [&](double gap) {
+    auto scene = test::scanned(room_with({{0, 2.4, 1.4}, {0, -1, 0}, {1, 0, 0}, 3.3 + gap, 0.9}));
+    test::take_out(scene, 2, -0.05 - gap / 2, -0.05 + gap / 2);
+    const auto labelling = interpret(scene.surfaces, scene.cloud, panels, {});
+    EXPECT_EQ(labelling.alternatives.size(), gap > 0.6 ? 1U : 0U);
+    return test::count_things(labelling, "panel");
+  };
+  EXPECT_EQ(count(0.8), 2);
+  EXPECT_EQ(count(0.4), 1);
+}
+
 TEST(Alternatives, ADeskPartedByAShadowIsJoined) {
   std::vector<test::Plate> plates = {test::floor_plate(),
                                      {{-0.5, 2, 0.74}, {0, 0, 1}, {1, 0, 0}, 0.8, 0.8},

@@ -101,38 +101,5 @@ class cabinet top part of cabinet:
   EXPECT_EQ(test::count_things(labelling, "cabinet"), 1);
 }
 
-/// Halves of tops 0.74 m above a floor, their middles at these places along x.
-std::vector<test::Plate> tops(const std::vector<double>& x, double length) {
-  std::vector<test::Plate> plates = {test::floor_plate()};
-  for (const double at : x) plates.push_back({{at, 0.0, 0.74}, {0, 0, 1}, {1, 0, 0}, length, 0.7});
-  return plates;
-}
-
-const char* const tops_in_pieces = R"(
-axiom floor:
-    horizontal
-    lowest
-class desk:
-    several faces
-    horizontal
-    elevation 0.6..0.9 m above a floor
-    extension 0.4..2.6 m
-    usually extension 1.2..2 m
-)";
-
-TEST(Assign, PiecesOfOnePlaneAreOneThingOfUsualSize) {
-  const auto ontology = parse_ontology(tops_in_pieces, "x.sdl");
-  // A desk of 1.8 m under a shadow of 20 cm.
-  const auto parted = reason(test::make_surfaces(tops({-0.5, 0.5}, 0.8)), ontology, {});
-  EXPECT_EQ(test::count_things(parted, "desk"), 1);
-  EXPECT_EQ(parted.entity_of_surface, (std::vector<std::int32_t>{0, 1, 1}));
-  // Two of 1.4 m side by side, touching: together longer than desks are.
-  const auto row = reason(test::make_surfaces(tops({-0.7, 0.71}, 1.4)), ontology, {});
-  EXPECT_EQ(test::count_things(row, "desk"), 2);
-  // Halves half a metre apart.
-  const auto apart = reason(test::make_surfaces(tops({-0.65, 0.65}, 0.6)), ontology, {});
-  EXPECT_EQ(test::count_things(apart, "desk"), 2);
-}
-
 }  // namespace
 }  // namespace scanchor

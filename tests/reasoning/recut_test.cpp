@@ -62,6 +62,8 @@ TEST(Recut, SeamsAreWhereOutlineOrPointsEnd) {
   const auto in_outline = outline_seams(scene.surfaces.surfaces[0]);
   ASSERT_EQ(in_outline.size(), 1U);
   EXPECT_NEAR(in_outline[0], 0.05, 1e-6);
+  EXPECT_EQ(outline_seams(scene.surfaces.surfaces[0], 0.035).size(), 1U);
+  EXPECT_TRUE(outline_seams(scene.surfaces.surfaces[0], 0.045).empty()) << "only wider gaps";
   scene.surfaces.surfaces[0].polygons = polygons;
   EXPECT_TRUE(outline_seams(scene.surfaces.surfaces[0]).empty());
   const auto in_points = find_seams(scene.surfaces.surfaces[0], scene.cloud.points, 2, 0.02);
