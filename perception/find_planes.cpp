@@ -86,8 +86,12 @@ void collect_surfaces(const PointCloud& cloud, const PlaneInput& input,
   std::vector<Surface> found(regions);
   for (std::size_t r = 0; r < regions; ++r) {
     if (moments[r].n < 3.0) continue;
-    const MomentPlane fit = fit_plane(moments[r]);
-    found[r].plane = plane_from_moments(moments[r], fit, origin, surfaces.sensor_positions, floor);
+    std::optional<Eigen::Vector3d> beam;
+    if (input.noise_along_beams && surfaces.sensor_positions.size() == 1)
+      beam = (origin + moments[r].mean() - surfaces.sensor_positions.front()).normalized();
+    const MomentPlane fit = beam ? fit_plane_along(moments[r], *beam) : fit_plane(moments[r]);
+    found[r].plane =
+        plane_from_moments(moments[r], fit, origin, surfaces.sensor_positions, floor, beam);
     found[r].T_cloud_surface = surface_frame(found[r].plane, fit.axes.col(2));
     found[r].inliers.reserve(count[r]);
   }
@@ -164,6 +168,7 @@ Surfaces find_planes(const PointCloud& cloud, const PerceiveOptions& options) {
   surfaces.noise_sigma = options.noise_sigma > 0.0 ? options.noise_sigma : input.sigma;
 
   if (options.method == "paper") {
+    input.noise_along_beams = false;
     collect_surfaces(cloud, input, paper_planes(input.cloud, input.sigma, options.paper), surfaces);
     return surfaces;
   }

@@ -14,7 +14,8 @@ struct PlaneInput {
   CanonicalCloud cloud;
   double sigma =
       0.0;  ///< [m] across surfaces: given or estimated, never below the least that is believed
-  double spacing = 0.0;  ///< [m] median distance to the nearest neighbour
+  double spacing = 0.0;           ///< [m] median distance to the nearest neighbour
+  bool noise_along_beams = true;  ///< if one sensor is known; the paper fits squared distances
 };
 
 /// Sets aside what is no return of a surface and makes the input of a plane finder, all but its

@@ -1,10 +1,12 @@
 #include "perception/plane_fit.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
+#include "perception/beam_noise.hpp"
 #include "perception/bent_planes.hpp"
 
 namespace scanchor {
@@ -24,11 +26,37 @@ bool faces_away(const Eigen::Vector3d& normal, const Eigen::Vector3d& centroid,
   return normal.dot(*nearest - centroid) < 0.0;
 }
 
+/// [sigma2] variance along a unit vector of noise along a beam.
+double noise_along(const Eigen::Vector3d& direction, const Eigen::Vector3d& beam) {
+  const double cosine = direction.dot(beam);
+  return cosine * cosine + BeamNoise::grazing * BeamNoise::grazing;
+}
+
 }  // namespace
+
+MomentPlane fit_plane_along(const Moments& moments, const Eigen::Vector3d& beam) {
+  const Eigen::Matrix3d c = moments.covariance();
+  const Eigen::Matrix3d noise = beam * beam.transpose() + BeamNoise::grazing * BeamNoise::grazing *
+                                                              Eigen::Matrix3d::Identity();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d> solver(c, noise);
+  MomentPlane plane;
+  plane.normal = solver.eigenvectors().col(0).normalized();
+  plane.offset = plane.normal.dot(moments.mean());
+  // Principal axes of what the points spread along it.
+  const Eigen::Vector3d u = plane.normal.unitOrthogonal();
+  const Eigen::Vector3d v = plane.normal.cross(u);
+  const double angle = 0.5 * std::atan2(2.0 * u.dot(c * v), u.dot(c * u) - v.dot(c * v));
+  plane.axes.col(0) = plane.normal;
+  plane.axes.col(2) = std::cos(angle) * u + std::sin(angle) * v;
+  plane.axes.col(1) = plane.axes.col(2).cross(plane.normal);
+  for (int axis = 0; axis < 3; ++axis)
+    plane.variances[axis] = std::max(0.0, plane.axes.col(axis).dot(c * plane.axes.col(axis)));
+  return plane;
+}
 
 Plane plane_from_moments(const Moments& moments, const MomentPlane& fit,
                          const Eigen::Vector3d& origin, const std::vector<Eigen::Vector3d>& sensors,
-                         double noise_floor) {
+                         double noise_floor, const std::optional<Eigen::Vector3d>& beam) {
   Plane plane;
   plane.centroid = origin + moments.mean();
   const double n = moments.n;
@@ -44,7 +72,9 @@ Plane plane_from_moments(const Moments& moments, const MomentPlane& fit,
     // The spread along the plane holds noise too, which says nothing about the tilt (T. W.
     // Anderson, Ann. Math. Statist. 34, 1963).
     const double spread = std::max(fit.variances[axis], 1e-30);
-    const double known = std::max(spread - fit.variances[0], 1e-30);
+    const double share =
+        beam ? noise_along(fit.axes.col(axis), *beam) / noise_along(fit.normal, *beam) : 1.0;
+    const double known = std::max(spread - share * fit.variances[0], 1e-30);
     const double tilt = std::min(variance * spread / (n * known * known), 2.4674);
     plane.normal_covariance += tilt * fit.axes.col(axis) * fit.axes.col(axis).transpose();
   }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "perception/moments.hpp"
@@ -23,11 +24,18 @@ Plane fit_plane(const std::vector<Eigen::Vector3d>& points,
                 const std::vector<std::uint32_t>& inliers,
                 const std::vector<Eigen::Vector3d>& sensors, double noise_floor = 0.0);
 
+/// Where noise lies along a beam (unit vector): the plane n that explains the points with the least
+/// noise along it, the least n'Cn / n'(bb' + g2 I)n; g = BeamNoise::grazing stands for roughness.
+/// Of broad patches it is the least-squares plane. Of a strip narrower than the noise it is not:
+/// such a strip scatters less across itself than along the beam.
+MomentPlane fit_plane_along(const Moments& moments, const Eigen::Vector3d& beam);
+
 /// The same from moments about `origin`, where the points were summed already; `fit` must be
-/// fit_plane(moments).
+/// fit_plane(moments) or, with a beam, fit_plane_along(moments, beam). Then mi = (li - noise along
+/// ei)^2 / li, since the spread along the plane holds what of the beam lies along it.
 Plane plane_from_moments(const Moments& moments, const MomentPlane& fit,
                          const Eigen::Vector3d& origin, const std::vector<Eigen::Vector3d>& sensors,
-                         double noise_floor);
+                         double noise_floor, const std::optional<Eigen::Vector3d>& beam = {});
 
 /// Frame of a surface: origin at the centroid, z along the normal, x along the longer spread of the
 /// inliers (`long_axis`; its largest component is positive).

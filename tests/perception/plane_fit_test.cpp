@@ -59,6 +59,40 @@ TEST(PlaneFit, CovarianceCoversTheTruth) {
   }
 }
 
+// A strip 2 cm wide in front of a scanner, its points moved along the beams by 1 cm: across itself
+// it scatters by 6 mm, along the beam by 10.
+TEST(PlaneFit, AStripNarrowerThanTheNoiseFacesItsSensor) {
+  SequentialRandom random(5);
+  const Eigen::Vector3d truth(-std::cos(0.35), std::sin(0.35), 0.0);  // 20 degrees off the beam
+  const Eigen::Vector3d across(std::sin(0.35), std::cos(0.35), 0.0);
+  int normal_in = 0;
+  double turned = 0.0;
+  const int fits = 1000;
+  for (int k = 0; k < fits; ++k) {
+    Moments moments;
+    for (int i = 0; i < 200; ++i) {
+      const Eigen::Vector3d p = Eigen::Vector3d(1.5, 0, 0) + random.uniform(-0.01, 0.01) * across +
+                                random.uniform(-0.2, 0.2) * Eigen::Vector3d::UnitZ();
+      const Eigen::Vector3d q = p + 0.01 * random.normal() * p.normalized();
+      moments.add(q.x(), q.y(), q.z());
+    }
+    const Eigen::Vector3d beam = moments.mean().normalized();
+    const Plane plane =
+        plane_from_moments(moments, fit_plane_along(moments, beam), Eigen::Vector3d::Zero(),
+                           {Eigen::Vector3d::Zero()}, 0.0, beam);
+    const Plane squares = plane_from_moments(moments, fit_plane(moments), Eigen::Vector3d::Zero(),
+                                             {Eigen::Vector3d::Zero()}, 0.0);
+    EXPECT_LT(std::abs(squares.normal.dot(truth)), 0.8) << "least squares take its side for it";
+    const double angle = std::atan2(plane.normal.cross(truth).z(), plane.normal.dot(truth));
+    turned += angle / fits;
+    const double sigma =
+        std::sqrt(across.dot(plane.normal_covariance * across)) / std::abs(across.dot(across));
+    normal_in += std::abs(angle) < 1.96 * sigma;
+  }
+  EXPECT_NEAR(turned, 0.0, 0.03);
+  EXPECT_GT(normal_in, 0.9 * fits);
+}
+
 TEST(PlaneFit, FarFromTheOriginNothingIsLost) {
   SequentialRandom random(4);
   Patch near = noisy_rectangle(random, 400, 1.0, 0.5, 0.005, Eigen::Isometry3d::Identity());
