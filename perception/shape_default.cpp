@@ -6,11 +6,14 @@
 #include "perception/outline_polygons.hpp"
 #include "perception/polygon_check.hpp"
 #include "perception/rectangle_fit.hpp"
+#include "perception/shape_area.hpp"
 #include "perception/shape_common.hpp"
 #include "perception/shape_plane.hpp"
 
 namespace scanchor {
 namespace {
+
+constexpr double enough = 0.9;  // of a rectangle is filled: the surface is one
 
 bool on_surface(const std::vector<Polygon>& polygons, const Eigen::Vector2d& p) {
   return std::any_of(polygons.begin(), polygons.end(),
@@ -46,8 +49,7 @@ bool is_hidden(const ShapeView& view, const Surface& surface, const Eigen::Vecto
 bool stands_apart(const ShapeView& view, const Surface& surface, const Polygon& piece,
                   double gate) {
   const Polygon& largest = surface.polygons.front();
-  constexpr double small =
-      0.1;  // a larger one would be a plane of two things, which is told as such
+  constexpr double small = 0.4;  // a larger one is no stray
   if (piece.area() > small * largest.area()) return false;
   Eigen::Vector2d from = piece.outer.front();
   Eigen::Vector2d to = largest.outer.front();
@@ -67,10 +69,11 @@ bool stands_apart(const ShapeView& view, const Surface& surface, const Polygon& 
   return open > hidden;
 }
 
-/// Takes the pieces that stand apart out of what the rectangle is fitted to.
-void leave_out_strays(const ShapeView& view, const Surface& surface, double gate,
-                      RectangleEvidence& evidence) {
+/// Takes the pieces that stand apart out of what the rectangle is fitted to; [m2] what they cover.
+double leave_out_strays(const ShapeView& view, const Surface& surface, double gate,
+                        RectangleEvidence& evidence) {
   std::size_t first = 0;
+  double strays = 0.0;
   std::vector<OutlineEdge> kept;
   for (std::size_t k = 0; k < surface.polygons.size(); ++k) {
     const Polygon& piece = surface.polygons[k];
@@ -79,6 +82,7 @@ void leave_out_strays(const ShapeView& view, const Surface& surface, double gate
       kept.insert(kept.end(), evidence.edges.begin() + static_cast<std::ptrdiff_t>(first),
                   evidence.edges.begin() + static_cast<std::ptrdiff_t>(next));
     } else {
+      strays += piece.area();
       std::size_t to = 0;
       for (std::size_t i = 0; i < evidence.inside.size(); ++i) {
         if (contains(piece, evidence.inside[i])) continue;
@@ -91,6 +95,7 @@ void leave_out_strays(const ShapeView& view, const Surface& surface, double gate
     first = next;
   }
   evidence.edges = std::move(kept);
+  return strays;
 }
 
 /// Share of the rectangle, as far as it could be seen, that is surface.
@@ -147,27 +152,6 @@ Polygon rectangle_polygon(const FittedRectangle& r) {
   polygon.outer = {r.center - u - v, r.center + u - v, r.center + u + v, r.center - u + v};
   polygon.outer_kind.assign(4, EdgeKind::true_edge);
   return polygon;
-}
-
-/// [m2] area of the polygons with its interval. Each edge is known to a gap, variance gap^2 / 12
-/// (reasoning.md 2.2). Where the samples change their phase along it the raw outline wavers by as
-/// much, and that part averages out over the length of an edge; what does not waver is the same
-/// error along the whole edge.
-Measured polygon_area(const std::vector<Polygon>& polygons, const std::vector<OutlineEdge>& edges) {
-  Measured area;
-  for (const Polygon& polygon : polygons) area.value += polygon.area();
-  double variance = 0.0;
-  for (const OutlineEdge& e : edges) {
-    const double length = (e.to - e.from).norm();
-    const double whole = e.gap * e.gap / 12.0;
-    const double wavering = std::min(whole, e.waver * e.waver);
-    const double runs = std::max(1.0, 0.5 * length / std::max(e.gap, 1e-12));
-    variance += length * length * (std::max(0.02 * whole, whole - wavering) + wavering / runs);
-  }
-  const double half = 1.959963984540054 * std::sqrt(variance);
-  area.low = std::max(0.0, area.value - half);
-  area.high = area.value + half;
-  return area;
 }
 
 /// True where a vertex lies outside the points' box by more than a quarter of its diagonal. A ray
@@ -237,6 +221,7 @@ void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surface
     // Noise along an unknown ray at 30 degrees from the normal has this part along the plane.
     evidence.sigma = 0.58 * surface.plane.residual_sigma;
   }
+  double strays = 0.0;
   evidence.inside = outline.inside;
   evidence.outside = outline.beyond;
   if (view != nullptr) {
@@ -244,7 +229,7 @@ void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surface
     const double across = 1.0 / std::max(surface.plane.residual_sigma, 1e-9);
     for (const double h : outline.inside_height) evidence.inside_height.push_back(h * across);
     for (const double h : outline.beyond_height) evidence.outside_height.push_back(h * across);
-    leave_out_strays(*view, surface, gate, evidence);
+    strays = leave_out_strays(*view, surface, gate, evidence);
   }
 
   const OutlineShare share = hidden_share(outline);
@@ -260,13 +245,19 @@ void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surface
   }
   surface.area = polygon_area(surface.polygons, evidence.edges);
   surface.area.low = std::max(0.0, surface.area.low - fit.loose_area);
-  surface.area.at_least = share.hidden + share.hidden_holes > 0.05 * share.total;
   surface.rectangularness = filled_share(view, surface, gate);
+  // What sticks out of a rectangle that is filled is no part of it, and neither is a stray.
+  if (surface.rectangularness >= enough) {
+    const auto shown = [&](std::size_t k) { return !fit.censored[k] && !fit.censored[k + 2]; };
+    strays = area_outside(surface.polygons, fit.rectangle, shown(0), shown(1));
+  }
+  take_off(strays, surface.area);
+  surface.area.at_least = share.hidden + share.hidden_holes > 0.05 * share.total;
   // Four sides that meet at right angles by construction: a rectangle if the surface fills what
   // could be seen of it, and at least two sides were seen along a third of their length.
   const auto seen = std::count_if(fit.support.begin(), fit.support.end(),
                                   [](double support) { return support >= 0.3; });
-  surface.is_rectangle = seen >= 2 && surface.rectangularness >= 0.9;
+  surface.is_rectangle = seen >= 2 && surface.rectangularness >= enough;
 }
 
 }  // namespace scanchor

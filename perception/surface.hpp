@@ -71,7 +71,7 @@ struct Surface {
   std::vector<Polygon>
       polygons;  ///< pieces, largest first; at least one for three points that are not on a line
   FittedRectangle rectangle;
-  Measured area;  ///< [m2] A of the paper: of the polygons
+  Measured area;  ///< [m2] A of the paper: of the polygons, strays taken off
   double rectangularness =
       0.0;  ///< R in [0, 1]: area of the polygons / area of the fitted rectangle, of which
             ///< the default method leaves out what lies in a shadow

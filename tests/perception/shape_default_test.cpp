@@ -195,6 +195,8 @@ TEST(DefaultShape, AStrayPieceSeenApartDoesNotWidenTheRectangle) {
   EXPECT_EQ(s.polygons.size(), 2U) << "its points are still there";
   EXPECT_NEAR(s.rectangle.length.value, 0.6, 0.02);
   EXPECT_NEAR(s.rectangle.width.value, 0.4, 0.02);
+  EXPECT_LT(s.area.value, s.polygons[0].area() + 1e-9) << "the stray is no part of it";
+  EXPECT_GT(s.area.high, s.polygons[0].area() + s.polygons[1].area()) << "but might be";
   const Surface shadowed =
       joined({screen, box_panel({3, 0.4, 0}, {0, 1, 0}, {0, 0, 1}, 0.1, 0.4), back_wall,
               box_panel({1.5, 0.165, 0}, {0, 1, 0}, {0, 0, 1}, 0.06, 3)});
