@@ -90,7 +90,10 @@ TEST(FindShapes, EverySurfaceIsValidAndInRange) {
           EXPECT_EQ(polygon.outer.size(), polygon.outer_kind.size());
           area += polygon.area();
         }
-        EXPECT_NEAR(area, s.area.value, 1e-9 + 1e-9 * area);
+        // What sticks out of a rectangle or stands apart is taken off, but stays in the upper end.
+        EXPECT_LE(s.area.value, area + 1e-9 * area);
+        EXPECT_GE(s.area.value, 0.8 * area);
+        EXPECT_GE(s.area.high, area - 1e-9 * area);
         EXPECT_LE(s.area.low, s.area.value);
         EXPECT_LE(s.area.value, s.area.high);
         EXPECT_GE(s.rectangle.length.value, s.rectangle.width.value);
