@@ -64,6 +64,7 @@ void add_report(CLI::App& root, ExitCodeSlot& code);
 void add_figures(CLI::App& root, ExitCodeSlot& code);
 void add_gallery(CLI::App& root, ExitCodeSlot& code);
 void add_fit(CLI::App& root, ExitCodeSlot& code);
+void add_fit_relations(CLI::App& root, ExitCodeSlot& code);
 void add_check(CLI::App& root, ExitCodeSlot& code);
 void add_baseline(CLI::App& root, ExitCodeSlot& code);
 void add_sweep(CLI::App& root, ExitCodeSlot& code);

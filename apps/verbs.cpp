@@ -16,6 +16,7 @@ void add_all_verbs(CLI::App& root, ExitCodeSlot& code) {
   add_figures(root, code);
   add_gallery(root, code);
   add_fit(root, code);
+  add_fit_relations(root, code);
   add_check(root, code);
   add_baseline(root, code);
   add_sweep(root, code);

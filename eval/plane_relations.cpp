@@ -87,44 +87,53 @@ const std::vector<SpatialRelation>& scored_relations() {
   return list;
 }
 
-PlaneRelations plane_relations(const Scan& scan, const Scene& scene, const ScanTruth& truth,
-                               const PlaneMatch& match, const Surfaces& surfaces,
-                               const Eigen::Vector3d& up, double up_sigma,
-                               const Protocol& protocol) {
-  const auto found = found_planes(scene, truth, match, surfaces.surfaces.size(), protocol);
-  const Eigen::Matrix3d R_level_cloud = levelling(up);
-  const std::vector<Item> items = make_items(surfaces, R_level_cloud);
-  Surrounding around;
-  around.up_sigma = up_sigma;
-  around.viewpoint = Eigen::Vector3d::Zero();  // a scan's cloud has its sensor at the origin
+std::vector<FacePair> face_pairs(const Scan& scan, const Scene& scene, const ScanTruth& truth,
+                                 const PlaneMatch& match, std::size_t surfaces,
+                                 const Protocol& protocol) {
+  const auto found = found_planes(scene, truth, match, surfaces, protocol);
   const Eigen::Vector3d viewpoint = scan.T_world_sensor.translation();
-
-  PlaneRelations lists;
+  std::vector<FacePair> pairs;
   for (const auto& definition : definitions) {
-    const std::string name(relation_name(definition.truth));
     const bool symmetric = is_symmetric(definition.truth);
-    RelationTerm term;
-    term.relation = definition.claim;
     for (const auto& a : found) {
       if (definition.whole && !a.whole) continue;
       for (const auto& b : found) {
         if (a.plane == b.plane || (symmetric && b.plane < a.plane)) continue;
         if (definition.whole && !b.whole) continue;
-        NamedRelation fact{name, a.plane, b.plane};
-        const double margin = relate(a.body, b.body, definition.truth, viewpoint).margin;
-        if (margin >= -borderline_margin) {
-          fact.holds = margin >= 0.0;
-          fact.borderline = margin < borderline_margin;
-          lists.truth.push_back(fact);
-        }
-        fact.probability = relate(term, items[static_cast<std::size_t>(a.surface)],
-                                  items[static_cast<std::size_t>(b.surface)], around)
-                               .likelihood;
-        fact.holds = true;
-        fact.borderline = false;
-        if (fact.probability >= least_probability) lists.claims.push_back(std::move(fact));
+        pairs.push_back({definition.truth, definition.claim, a.plane, b.plane, a.surface, b.surface,
+                         relate(a.body, b.body, definition.truth, viewpoint).margin});
       }
     }
+  }
+  return pairs;
+}
+
+PlaneRelations plane_relations(const Scan& scan, const Scene& scene, const ScanTruth& truth,
+                               const PlaneMatch& match, const Surfaces& surfaces,
+                               const Eigen::Vector3d& up, double up_sigma,
+                               const Protocol& protocol) {
+  const std::vector<Item> items = make_items(surfaces, levelling(up));
+  Surrounding around;
+  around.up_sigma = up_sigma;
+  around.viewpoint = Eigen::Vector3d::Zero();  // a scan's cloud has its sensor at the origin
+
+  PlaneRelations lists;
+  for (const auto& pair :
+       face_pairs(scan, scene, truth, match, surfaces.surfaces.size(), protocol)) {
+    RelationTerm term;
+    term.relation = pair.claim;
+    NamedRelation fact{std::string(relation_name(pair.truth)), pair.plane_a, pair.plane_b};
+    if (pair.margin >= -borderline_margin) {
+      fact.holds = pair.margin >= 0.0;
+      fact.borderline = pair.margin < borderline_margin;
+      lists.truth.push_back(fact);
+    }
+    fact.probability = relate(term, items[static_cast<std::size_t>(pair.surface_a)],
+                              items[static_cast<std::size_t>(pair.surface_b)], around)
+                           .likelihood;
+    fact.holds = true;
+    fact.borderline = false;
+    if (fact.probability >= least_probability) lists.claims.push_back(std::move(fact));
   }
   return lists;
 }

@@ -8,6 +8,7 @@
 #include "eval/relations.hpp"
 #include "eval/truth.hpp"
 #include "perception/surface.hpp"
+#include "reasoning/ontology.hpp"
 #include "scenes/relations.hpp"
 
 namespace scanchor {
@@ -20,6 +21,20 @@ struct PlaneRelations {
 /// What is held against the truth: the relations that the reasoner and the scene both define on
 /// faces. The inverse of a listed one (below, supports, right of, behind) says nothing new.
 const std::vector<SpatialRelation>& scored_relations();
+
+/// Two planes that were found, and how clearly a relation holds between their exact faces.
+struct FacePair {
+  SpatialRelation truth;
+  Relation claim;                     ///< the reasoner's word for it
+  std::int32_t plane_a, plane_b;      ///< of the truth
+  std::int32_t surface_a, surface_b;  ///< that found them
+  double margin;                      ///< RelationMargin
+};
+
+/// All pairs that plane_relations looks at, relation by relation, likely or not.
+std::vector<FacePair> face_pairs(const Scan& scan, const Scene& scene, const ScanTruth& truth,
+                                 const PlaneMatch& match, std::size_t surfaces,
+                                 const Protocol& protocol);
 
 /// Relations between planes that were found correctly (`match`, at Protocol::geometry_tolerance):
 /// what was not found has been counted as missed among the planes already. A truth of several

@@ -5,14 +5,11 @@
 
 #include "core/math.hpp"
 #include "reasoning/likelihood.hpp"
+#include "reasoning/relation_model.hpp"
 
 namespace scanchor {
 
 namespace {
-
-constexpr double angle_softness = radians(0.3);  // of faces that are taken for exactly flat
-constexpr double gross_share = 0.05;
-constexpr double gross_factor = 5.0;
 
 /// The tilt of one direction against another, in the axes of its covariance.
 struct RelativeTilt {
@@ -43,10 +40,16 @@ RelativeTilt relative_tilt(const Eigen::Vector3d& a, Eigen::Vector3d b,
 struct AnglePrior {
   double parallel, nearly_parallel, orthogonal, nearly_orthogonal, any;
 };
-// Exact faces that were found in offices of suite seeds 50 and 60: relation_calibration_bench.
-constexpr AnglePrior between_faces = {0.07, 0.09, 0.37, 0.10, 0.37};
-constexpr AnglePrior to_gravity = {0.28, 0.005, 0.60, 0.05, 0.065};
-constexpr double askew = radians(3.0);  // deviation of "nearly"
+AnglePrior between_faces(const RelationModel& m) {
+  return {m.faces_parallel, m.faces_nearly_parallel, m.faces_orthogonal, m.faces_nearly_orthogonal,
+          1.0 - m.faces_parallel - m.faces_nearly_parallel - m.faces_orthogonal -
+              m.faces_nearly_orthogonal};
+}
+AnglePrior to_gravity(const RelationModel& m) {
+  return {m.level_parallel, m.level_nearly_parallel, m.level_orthogonal, m.level_nearly_orthogonal,
+          1.0 - m.level_parallel - m.level_nearly_parallel - m.level_orthogonal -
+              m.level_nearly_orthogonal};
+}
 
 struct AngleLikelihoods {
   double parallel, orthogonal;
@@ -55,15 +58,18 @@ struct AngleLikelihoods {
 /// That the true angle is within a tolerance of 0 or 90 degrees. Measured: the tilt from parallel,
 /// with one deviation each way, and the deviation of the angle itself.
 AngleLikelihoods angle_likelihoods(const RelativeTilt& tilt, double off, double off_sigma,
-                                   double tolerance, const AnglePrior& prior) {
+                                   double tolerance, const AnglePrior& prior,
+                                   const RelationModel& model) {
+  const double angle_softness = radians(model.flatness);
+  const double askew = radians(model.askew);
   AngleLikelihoods sum{0.0, 0.0};
   double all = 0.0;
   const double theta = tilt.mean.norm();
   // Of two planes as found, one in ten pairs holds one that lies quite otherwise: two sides of a
   // leg seen as one, a strip along an edge. The measured part of a deviation is five times as large
   // there.
-  for (const double factor : {1.0, gross_factor}) {
-    const double share = factor > 1.0 ? gross_share : 1.0 - gross_share;
+  for (const double factor : {1.0, model.gross_factor}) {
+    const double share = factor > 1.0 ? model.gross_share : 1.0 - model.gross_share;
     const Eigen::Vector2d s(std::hypot(factor * tilt.sigma.x(), angle_softness),
                             std::hypot(factor * tilt.sigma.y(), angle_softness));
     const double so = std::hypot(factor * off_sigma, angle_softness);
@@ -101,14 +107,15 @@ struct PairAngle {
   double theta, off, off_sigma;
 };
 
-PairAngle pair_angle(const Item& a, const Item& b) {
+PairAngle pair_angle(const Item& a, const Item& b, const RelationModel& model) {
   const double theta = angle_between(a.normal, b.normal);
   // Only the tilts within the plane of both normals change a right angle.
   const double variance =
       b.normal.dot(a.normal_covariance * b.normal) + a.normal.dot(b.normal_covariance * a.normal);
   const double off_sigma = std::sqrt(std::max(0.0, variance));
   const auto tilt = relative_tilt(a.normal, b.normal, a.normal_covariance + b.normal_covariance);
-  return {angle_likelihoods(tilt, 0.5 * pi - theta, off_sigma, angle_tolerance, between_faces),
+  return {angle_likelihoods(tilt, 0.5 * pi - theta, off_sigma, angle_tolerance,
+                            between_faces(model), model),
           theta, 0.5 * pi - theta, off_sigma};
 }
 
@@ -120,7 +127,8 @@ AngleLikelihoods level(const Item& a, const Surrounding& around, double toleranc
   const Eigen::Matrix3d covariance =
       a.normal_covariance + sqr(around.up_sigma) * Eigen::Matrix3d::Identity();
   return angle_likelihoods(relative_tilt(Eigen::Vector3d::UnitZ(), a.normal, covariance),
-                           0.5 * pi - *theta, *off_sigma, tolerance, to_gravity);
+                           0.5 * pi - *theta, *off_sigma, tolerance, to_gravity(*around.model),
+                           *around.model);
 }
 
 }  // namespace
@@ -129,14 +137,14 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
 }
 
-Evidence parallel_relation(const Item& a, const Item& b) {
-  const PairAngle pair = pair_angle(a, b);
+Evidence parallel_relation(const Item& a, const Item& b, const RelationModel& model) {
+  const PairAngle pair = pair_angle(a, b, model);
   return {pair.likelihoods.parallel, degrees(pair.theta),
           degrees(std::hypot(a.tilt_sigma, b.tilt_sigma)), "deg"};
 }
 
-Evidence orthogonal_relation(const Item& a, const Item& b) {
-  const PairAngle pair = pair_angle(a, b);
+Evidence orthogonal_relation(const Item& a, const Item& b, const RelationModel& model) {
+  const PairAngle pair = pair_angle(a, b, model);
   return {pair.likelihoods.orthogonal, degrees(pair.theta), degrees(pair.off_sigma), "deg"};
 }
 

@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reasoning/relation_model.hpp"
+
 namespace scanchor {
 namespace {
 
-// Chosen on the planes found in offices of suite seeds 50 and 60 at 0.5 to 4 cm of noise, by the
-// likelihood of their true tilts: relation_calibration_bench prints how the tilts compare.
-constexpr double spread_of_fit = 1.2;     // tilts of clean planes over what their fit says
-constexpr double choice = 0.2;            // of the squared ratio of noise and extent
 constexpr double quarter_turn2 = 2.4674;  // [rad2] nothing is known any more
 constexpr double least_variance = 1e-12;  // [m2] of exact points
 
@@ -66,7 +64,8 @@ Tilt along_beam(const Plane& plane, double n, double noise, const Eigen::Vector3
 
 }  // namespace
 
-Eigen::Matrix3d plane_error(const Surface& surface, const Surfaces& surfaces) {
+Eigen::Matrix3d plane_error(const Surface& surface, const Surfaces& surfaces,
+                            const RelationModel& model) {
   const Plane& plane = surface.plane;
   const double n = static_cast<double>(surface.inlier_count);
   if (n < 4.0 || plane.normal_covariance.trace() <= 0.0) return plane.normal_covariance;
@@ -78,14 +77,15 @@ Eigen::Matrix3d plane_error(const Surface& surface, const Surfaces& surfaces) {
   }
   // Points of what lies next to it come in by the noise, and turn it by as much as noise may over
   // its extent; many points do not help. More scatter than noise, or a bend, says that they did.
-  const double doubt =
-      (2.0 - std::clamp(surface.confidence, 0.0, 1.0)) * std::pow(tilt.excess, 3.0);
+  const double doubt = (2.0 - std::clamp(surface.confidence, 0.0, 1.0)) *
+                       std::pow(tilt.excess, model.tilt_excess_power);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(tilt.covariance);
   Eigen::Matrix3d error = tilt.bias * tilt.bias.transpose();
   for (int k = 1; k < 3; ++k) {
     const double fit = std::max(0.0, axes.eigenvalues()[k]);
-    const double chosen = choice * std::min(1.0, fit * n);
-    const double own = doubt * doubt * (spread_of_fit * spread_of_fit * fit + chosen * chosen);
+    const double chosen = model.tilt_of_points * std::min(1.0, fit * n);
+    const double own =
+        doubt * doubt * (model.tilt_scale * model.tilt_scale * fit + chosen * chosen);
     const Eigen::Vector3d axis = axes.eigenvectors().col(k);
     error += std::min(own, quarter_turn2) * axis * axis.transpose();
   }

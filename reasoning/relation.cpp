@@ -7,6 +7,7 @@
 #include "core/math.hpp"
 #include "reasoning/angle_relations.hpp"
 #include "reasoning/likelihood.hpp"
+#include "reasoning/relation_model.hpp"
 #include "reasoning/support_relations.hpp"
 
 namespace scanchor {
@@ -28,30 +29,33 @@ Evidence inside(const Item& a, const Item& b) {
 
 /// That one of the two goes on towards the other, unseen, by `missing` [m]; `way` is the unit
 /// vector from a to b where they are nearest.
-double reaches(const Item& a, const Eigen::Vector3d& way, double missing) {
+double reaches(const Item& a, const Eigen::Vector3d& way, double missing,
+               const RelationModel& model) {
   if (a.group) return 0.0;
   double best = 0.0;
   for (int side = 0; side < 4; ++side) {
     const Eigen::Vector3d outwards = (side % 2 == 0 ? 1.0 : -1.0) * (side < 2 ? a.along : a.across);
     const double slope = outwards.dot(way);
     if (slope < 0.3) continue;
-    best = std::max(
-        best, goes_on(a, side, 2.0 * (side < 2 ? a.half_length : a.half_width), missing / slope));
+    best = std::max(best, goes_on(a, side, 2.0 * (side < 2 ? a.half_length : a.half_width),
+                                  missing / slope, model));
   }
   return best;
 }
 
-Evidence near(const Item& a, const Item& b, double limit, double softness) {
+Evidence near(const Item& a, const Item& b, double limit, double softness,
+              const RelationModel& model) {
   const bool faces = !a.group && !b.group;
   const Eigen::Vector3d step = faces ? nearest_step(a, b) : Eigen::Vector3d::Zero();
   const double gap = faces ? step.norm() : gap_distance(a, b);
   const double measured = std::hypot(a.edge_sigma, b.edge_sigma);
-  double value = upper_likelihood(gap, limit, std::hypot(measured, softness));
+  double value = upper_likelihood(gap - model.near_short, limit, std::hypot(measured, softness));
   // The matcher leaves out pairs whose boxes are farther apart (Matcher, out_of_reach).
   if (faces && gap > limit && gap < 2.0 * limit + 1.4 && value < 0.95) {
     const Eigen::Vector3d way = step / gap;
-    value += (1.0 - value) *
-             (1.0 - (1.0 - reaches(a, way, gap - limit)) * (1.0 - reaches(b, -way, gap - limit)));
+    value += (1.0 - value) * model.near_meets *
+             (1.0 - (1.0 - reaches(a, way, gap - limit, model)) *
+                        (1.0 - reaches(b, -way, gap - limit, model)));
   }
   return {value, gap, measured, "m"};
 }
@@ -79,25 +83,26 @@ double same(const SizeRatio& size, double factor) {
   return value;
 }
 
-Evidence same_size(const Item& a, const Item& b) {
+/// Rooms hold many things of one make, of one size to half a percent. One face in a few is measured
+/// with what it ran together with, or in part: its deviations are several times as large.
+Evidence same_size(const Item& a, const Item& b, const RelationModel& model) {
   if (a.extension.value <= 0.0 || b.extension.value <= 0.0 || a.area.value <= 0.0 ||
       b.area.value <= 0.0)
     return {0.0, 0.0, 0.0, "1"};
-  const SizeRatio length = size_ratio(a.extension, b.extension, 0.05);
-  const SizeRatio area = size_ratio(a.area, b.area, 0.05);
-  // Rooms hold many things of one make: of the pairs of faces that were seen whole 3 % are of one
-  // size to half a percent. The share here is lower, chosen by the calibration on offices of suite
-  // seeds 50 and 60, since not all are measured as well as their deviations say. Any other size
-  // near that has 0.25 of all pairs a unit of both logarithms.
-  constexpr double twin_share = 0.01, other_sizes = 0.25;
-  const double twins = twin_share * normal_density(length.ratio, length.sigma) *
-                       normal_density(area.ratio, area.sigma);
-  const double value =
-      (twins + other_sizes * same(length, 1.15) * same(area, 1.25)) / (twins + other_sizes);
+  double holds = 0.0, all = 0.0;
+  for (const double factor : {1.0, model.misread_factor}) {
+    const double share = factor > 1.0 ? model.misread_share : 1.0 - model.misread_share;
+    const SizeRatio length = size_ratio(a.extension, b.extension, factor * model.size_softness);
+    const SizeRatio area = size_ratio(a.area, b.area, factor * model.size_softness);
+    const double twins = share * model.twin_share * normal_density(length.ratio, length.sigma) *
+                         normal_density(area.ratio, area.sigma);
+    holds += twins + share * model.other_sizes * same(length, 1.15) * same(area, 1.25);
+    all += twins + share * model.other_sizes;
+  }
   const double ratio = a.extension.value / b.extension.value;
   const double sigma = ratio * std::hypot(a.extension.sigma / a.extension.value,
                                           b.extension.sigma / b.extension.value);
-  return {value, ratio, sigma, "1"};
+  return {holds / all, ratio, sigma, "1"};
 }
 
 /// Share of the smaller footprint in the larger one, the same whichever is named first.
@@ -107,32 +112,61 @@ double smaller_within(const Item& a, const Item& b) {
                : footprint_overlap(b.footprint, a.footprint);
 }
 
-Evidence aligned(const Item& a, const Item& b) {
+/// Variance [m2] of where the middle of an item is along u (unit): half of what its sides' lengths
+/// are off, and its plane. `other`: a side may be another reading of the outline.
+double middle_variance(const Item& item, const Eigen::Vector3d& u, bool other) {
+  const auto side = [&](const Quantity& length) {
+    return 0.5 * (other ? length.sigma : std::min(length.sigma, 1.5 * item.edge_sigma));
+  };
+  return sqr(u.dot(item.along) * side(item.extension)) +
+         sqr(u.dot(item.across) * side(item.width)) + sqr(u.dot(item.normal) * item.offset_sigma);
+}
+
+/// Stacked things have their middles on one line, exactly; else middles are anywhere. The middle of
+/// what goes on in a shadow is not where it seems.
+Evidence aligned(const Item& a, const Item& b, const RelationModel& model) {
   const double size = std::max(std::min(a.extension.value, b.extension.value), 1e-3);
-  const double distance = (a.center - b.center).head<2>().norm() / size;
-  const double measured = std::sqrt(sqr(a.extension.sigma) + sqr(b.extension.sigma)) / size;
-  double value = upper_likelihood(distance, 0.15, std::hypot(measured, 0.02));
-  // The middle of what goes on in a shadow is not where it seems; that the smaller one lies within
-  // the other's outline remains.
+  const Eigen::Vector3d apart = a.center - b.center;
+  const double distance = apart.head<2>().norm() / size;
+  const Eigen::Vector3d way = distance * size > 1e-9
+                                  ? Eigen::Vector3d(apart.x(), apart.y(), 0.0).normalized()
+                                  : Eigen::Vector3d::UnitX();
+  const Eigen::Vector3d side(-way.y(), way.x(), 0.0);
+  const auto sigma_of = [&](const Eigen::Vector3d& u, bool other) {
+    return std::sqrt(middle_variance(a, u, other) + middle_variance(b, u, other));
+  };
   double whole = 1.0;
   for (const Item* item : {&a, &b}) {
-    for (const double open : item->open) whole *= 1.0 - 0.7 * sqr(open);
+    for (const double open : item->open) whole *= 1.0 - model.shadow_share * sqr(open);
   }
+  double holds = 0.0, all = 0.0;
+  const auto add = [&](double share, double s_way, double s_side) {
+    const double line =
+        share * model.in_one_line * normal_density(distance, s_way) * normal_density(0.0, s_side);
+    holds += line + share * cone_likelihood(distance, 0.15,
+                                            std::hypot(s_way, s_side) * 0.70710678118654752);
+    all += line + share;
+  };
+  const auto soft = [&](double sigma) { return std::hypot(sigma / size, model.middle_softness); };
+  const double other = whole * model.other_reading;
+  add(whole - other, soft(sigma_of(way, false)), soft(sigma_of(side, false)));
+  if (other > 0.0) add(other, soft(sigma_of(way, true)), soft(sigma_of(side, true)));
   if (whole < 0.99)
-    value = whole * value + (1.0 - whole) * 0.1 * lower_likelihood(smaller_within(a, b), 0.6, 0.1);
+    add(1.0 - whole, soft(model.open_middle * size), soft(model.open_middle * size));
+  double value = holds / all;
   // Stacked (S22): two things in one place are not one above the other.
   value *= lower_likelihood(std::abs(a.z - b.z), 0.05,
-                            std::sqrt(sqr(a.z_sigma) + sqr(b.z_sigma) + sqr(0.01)));
+                            std::hypot(sigma_of(Eigen::Vector3d::UnitZ(), false), 0.003));
   const bool elongated = a.half_length > 1.3 * a.half_width && b.half_length > 1.3 * b.half_width;
   if (elongated && value > 1e-6) {
     const double turn = angle_between(a.along, b.along);
     const auto turn_sigma = [](const Item& item) {
-      return item.width.sigma / std::max(item.extension.value, 0.05);
+      return item.edge_sigma / std::max(item.extension.value, 0.05);
     };
     const double sigma = std::sqrt(sqr(turn_sigma(a)) + sqr(turn_sigma(b)) + sqr(radians(1.0)));
     value *= between_likelihood(turn, -angle_tolerance, angle_tolerance, sigma);
   }
-  return {value, distance, measured, "1"};
+  return {value, distance, sigma_of(way, true) / size, "1"};
 }
 
 /// One over the other like boards, drawers or boxes. Shadows and what lies on them cut such things
@@ -145,7 +179,7 @@ Evidence stacked(const Item& a, const Item& b) {
   return {lower_likelihood(within, 0.6, 0.1) * apart, within, 0.0, "1"};
 }
 
-Evidence coplanar(const Item& a, const Item& b, double limit) {
+Evidence coplanar(const Item& a, const Item& b, double limit, const RelationModel& model) {
   const auto offset = [](const Item& plane, const Item& other) {
     const Eigen::Vector3d d = other.centroid - plane.centroid;
     const double variance = sqr(plane.offset_sigma) + d.dot(plane.normal_covariance * d);
@@ -157,20 +191,25 @@ Evidence coplanar(const Item& a, const Item& b, double limit) {
   const auto [distance, variance] = first ? offset(a, b) : offset(b, a);
   const double other = first ? b.offset_sigma : a.offset_sigma;
   const double measured = std::sqrt(std::max(0.0, variance) + sqr(other));
-  // Of parallel faces of rooms two in a hundred lie in one plane to the millimetre (doors of a
-  // cabinet, panels, boards of one height); the others are spread at about one a metre and pair.
-  constexpr double in_one_plane = 0.021, others = 1.0;
-  // The middle of what goes on in a shadow lies elsewhere, and so off the plane where the two are
-  // not quite parallel.
+  // Some parallel faces of rooms lie in one plane to the millimetre (doors of a cabinet, panels,
+  // boards of one height); the others are spread at about one a metre and pair. The middle of what
+  // goes on in a shadow lies elsewhere, and so off the plane where the two are not quite parallel.
   const Item& smaller = first ? b : a;
   const double open = *std::max_element(smaller.open.begin(), smaller.open.end());
-  const double elsewhere =
-      0.3 * smaller.extension.value * sqr(open) * std::sin(angle_between(a.normal, b.normal));
-  const double s = std::hypot(measured, elsewhere, 0.003);
-  const double exact = limit > 0.0 ? in_one_plane * 2.0 * normal_density(distance, s) : 0.0;
-  const double flat =
-      (exact + others * between_likelihood(distance, -limit, limit, s)) / (exact + others);
-  return {flat > 1e-6 ? flat * parallel_relation(a, b).likelihood : 0.0, distance, measured, "m"};
+  const double elsewhere = model.hidden_middle * smaller.extension.value * sqr(open) *
+                           std::sin(angle_between(a.normal, b.normal));
+  double holds = 0.0, all = 0.0;
+  for (const double factor : {1.0, model.gross_factor}) {
+    const double share = factor > 1.0 ? model.gross_offset_share : 1.0 - model.gross_offset_share;
+    const double s = std::hypot(factor * measured, elsewhere, model.plane_softness);
+    const double exact =
+        limit > 0.0 ? share * model.in_one_plane * 2.0 * normal_density(distance, s) : 0.0;
+    holds += exact + share * between_likelihood(distance, -limit, limit, s);
+    all += exact + share;
+  }
+  const double flat = holds / all;
+  return {flat > 1e-6 ? flat * parallel_relation(a, b, model).likelihood : 0.0, distance, measured,
+          "m"};
 }
 
 Evidence sideways(Relation relation, const Item& a, const Item& b, const Surrounding& around) {
@@ -187,8 +226,9 @@ Evidence sideways(Relation relation, const Item& a, const Item& b, const Surroun
   if (relation == Relation::behind) wanted = forward;
   const double turn = std::acos(std::clamp(wanted.dot(offset.normalized()), -1.0, 1.0));
   const double sigma = std::hypot(a.extension.sigma, b.extension.sigma) / offset.norm();
-  return {upper_likelihood(turn, radians(45.0), std::hypot(sigma, radians(0.3))), degrees(turn),
-          degrees(sigma), "deg"};
+  return {upper_likelihood(turn, radians(45.0),
+                           std::hypot(sigma, radians(around.model->bearing_softness))),
+          degrees(turn), degrees(sigma), "deg"};
 }
 
 Evidence height_above(const RelationTerm& term, const Item& a, const Item& b,
@@ -274,11 +314,12 @@ Evidence rectangular(const Item& a) {
 }
 
 Evidence relate(const RelationTerm& term, const Item& a, const Item& b, const Surrounding& around) {
+  const RelationModel& model = *around.model;
   switch (term.relation) {
     case Relation::parallel:
-      return parallel_relation(a, b);
+      return parallel_relation(a, b, model);
     case Relation::orthogonal:
-      return orthogonal_relation(a, b);
+      return orthogonal_relation(a, b, model);
     default:
       break;
   }
@@ -296,18 +337,18 @@ Evidence relate(const RelationTerm& term, const Item& a, const Item& b, const Su
       return inside(a, b);
     case Relation::near: {
       const double limit = term.range.has_high() ? term.range.high : 0.5;
-      return near(a, b, limit, 0.03 * limit);
+      return near(a, b, limit, model.near_softness * limit, model);
     }
     case Relation::touching:
-      return near(a, b, 0.05, 0.02);
+      return near(a, b, 0.05, 0.02, model);
     case Relation::same_size:
-      return same_size(a, b);
+      return same_size(a, b, model);
     case Relation::aligned:
-      return aligned(a, b);
+      return aligned(a, b, model);
     case Relation::stacked:
       return stacked(a, b);
     case Relation::coplanar:
-      return coplanar(a, b, term.range.has_high() ? term.range.high : 0.03);
+      return coplanar(a, b, term.range.has_high() ? term.range.high : 0.03, model);
     case Relation::higher:
     case Relation::lower: {
       const double sigma = height_sigma(a, b, around);

@@ -10,6 +10,9 @@
 
 namespace scanchor {
 
+struct RelationModel;
+const RelationModel& relation_model();
+
 /// What a likelihood was made of.
 struct Evidence {
   double likelihood = 0.0;
@@ -23,6 +26,7 @@ struct Surrounding {
   double up_sigma = 0.0;  ///< [rad] of the levelled frame's z axis
   std::optional<Eigen::Vector3d>
       viewpoint;  ///< of the robot, levelled [m]; for left, right, in front, behind
+  const RelationModel* model = &relation_model();
 };
 
 /// Horizontal (the normal is along gravity) and vertical within a tolerance, softness 1 deg.

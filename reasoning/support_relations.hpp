@@ -11,10 +11,10 @@ double height_sigma(const Item& a, const Item& b, const Surrounding& around);
 
 /// How likely a side of a surface is farther out than it was seen, by `beyond` [m] or more; `side`
 /// as in Item::open, `length`: of the surface in that direction. Where its outline ends in a
-/// shadow, 7 of 10 go on, and by half of what was seen of them on the average; where it ends in the
-/// open, 1 in 10 still does, since thin ends and dark corners give no points (exact faces of
-/// offices of suite seeds 50 and 60).
-double goes_on(const Item& item, int side, double length, double beyond);
+/// shadow, most go on, by about half of what was seen of them; where it ends in the open, a few
+/// still do, since thin ends and dark corners give no points.
+double goes_on(const Item& item, int side, double length, double beyond,
+               const RelationModel& model = relation_model());
 
 /// Height of b below a: of its plane there, since the middle of a floor that leans by a hair is
 /// higher or lower. Its upper end where it is not level.

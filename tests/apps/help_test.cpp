@@ -23,8 +23,9 @@ TEST_P(Help, HasAnExampleAndTheCommonFlags) {
 
 INSTANTIATE_TEST_SUITE_P(Verbs, Help,
                          testing::Values("run", "generate", "label", "segment", "score", "render",
-                                         "explain", "find", "fit", "report", "figures", "gallery",
-                                         "check", "baseline", "sweep", "blame", "shrink"),
+                                         "explain", "find", "fit", "fit-relations", "report",
+                                         "figures", "gallery", "check", "baseline", "sweep",
+                                         "blame", "shrink"),
                          [](const auto& row) { return std::string(row.param); });
 
 TEST(Help, EachVerbOfOntologies) {

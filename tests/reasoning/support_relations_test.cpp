@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/random.hpp"
+#include "reasoning/relation_model.hpp"
 #include "tests/reasoning/support/built.hpp"
 
 namespace scanchor {
@@ -77,19 +78,20 @@ TEST(SupportRelations, NothingIsOverWhatIsOutOfReach) {
 }
 
 TEST(SupportRelations, SidesGoOnTheMoreTheLessOfTheirEndWasSeen) {
+  const RelationModel usual;  // whatever was fitted
   Item a = item_of_plate(upright_front(0.0, 1.0));
   for (const double open : {0.0, 0.5, 1.0}) {
     a.open.fill(open);
     double last = 1.0;
     for (double d = 0.0; d < 2.0; d += 0.1) {
-      const double p = goes_on(a, 0, 1.0, d);
+      const double p = goes_on(a, 0, 1.0, d, usual);
       EXPECT_LE(p, last);
       last = p;
     }
   }
-  EXPECT_GT(goes_on(a, 0, 1.0, 0.3), 0.3);
+  EXPECT_GT(goes_on(a, 0, 1.0, 0.3, usual), 0.3);
   a.open.fill(0.0);
-  EXPECT_LT(goes_on(a, 0, 1.0, 0.3), 0.05);
+  EXPECT_LT(goes_on(a, 0, 1.0, 0.3, usual), 0.05);
 }
 
 }  // namespace
