@@ -26,7 +26,7 @@ RelationScene bearings(double deg, int pairs) {
     Item b;
     b.center = {4.0, 0.0, 1.0};
     Item a = b;
-    const double truth = radians(45.0 + random.uniform(-4.0, 4.0));  // off "left"
+    const double truth = radians(45.0 + deg * random.uniform(-5.0, 5.0));  // off "left"
     const double measured = truth + radians(deg) * normal(random);
     a.center += Eigen::Vector3d(std::sin(measured), std::cos(measured), 0.0);
     b.id = 2 * i;
