@@ -202,6 +202,18 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
     }
   }
   keep_unique(scored, ontology);
+  const auto judge = [&](Entity& entity) {
+    entity.classes.clear();
+    distribute(entity, scored[entity.id], ontology, upright);
+    decide(entity, ontology, options);
+    name_the_part(entity, scored[entity.id], ontology);
+    const auto best = std::find_if(entity.classes.begin(), entity.classes.end(),
+                                   [](const auto& c) { return c.name != "unknown"; });
+    const bool named = entity.label != "unknown" && entity.label != "ambiguous";
+    const int c = find(named || best == entity.classes.end() ? entity.label : best->name);
+    entity.proof.clear();
+    if (c >= 0) entity.proof = make_proof(matcher, ontology, c, entity.id);
+  };
   for (const auto& item : items) {
     Entity entity = make_entity(item, R);
     if (!item.group) {
@@ -211,17 +223,7 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
           std::log(0.25 + 0.75 * std::clamp(surfaces.surfaces[item.id].confidence, 0.0, 1.0));
       for (auto& s : scored[item.id]) s.score += bent;
     }
-    distribute(entity, scored[item.id], ontology, upright);
-    decide(entity, ontology, options);
-    name_the_part(entity, scored[item.id], ontology);
-    const auto best = std::find_if(entity.classes.begin(), entity.classes.end(),
-                                   [](const auto& c) { return c.name != "unknown"; });
-    const std::string& proved = entity.label != "unknown" && entity.label != "ambiguous"
-                                    ? entity.label
-                                : best != entity.classes.end() ? best->name
-                                                               : entity.label;
-    if (const int c = find(proved); c >= 0)
-      entity.proof = make_proof(matcher, ontology, c, item.id);
+    judge(entity);
     labelling.entities.push_back(std::move(entity));
   }
 
@@ -264,23 +266,33 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
   }
   hold_together(owners, items, ontology, labelling);
 
-  // Parts go to their whole, the target of their first relation to it.
-  for (std::size_t i = 0; i < matcher.surface_count(); ++i) {
-    auto& entity = entities[i];
-    const int c = find(entity.label);
-    if (c < 0 || ontology.classes[c].part_of.empty() || entity.whole >= 0) continue;
+  // Parts go to their whole, the target of their first relation to it. What finds none is no such
+  // part: it is judged again without that class.
+  const auto join_whole = [&](Entity& entity, int c) {
     for (const auto& clause : entity.proof) {
       if (clause.target_class != ontology.classes[c].part_of || clause.targets.empty()) continue;
       const std::int32_t whole = clause.targets.front();
-      if (whole == static_cast<std::int32_t>(i) || entities[whole].label != clause.target_class)
-        continue;
+      if (whole == entity.id || entities[whole].label != clause.target_class) continue;
       entity.whole = whole;
-      labelling.entity_of_surface[i] = whole;
-      entities[whole].surfaces.push_back(static_cast<std::int32_t>(i));
-      break;
+      labelling.entity_of_surface[entity.id] = whole;
+      entities[whole].surfaces.push_back(entity.id);
+      return true;
     }
-    // A leg where no chair was found is not worth a name.
-    if (entity.whole < 0) withdraw(entity);
+    return false;
+  };
+  for (bool changed = true; changed;) {
+    changed = false;
+    std::vector<std::pair<std::size_t, int>> orphans;
+    for (std::size_t i = 0; i < matcher.surface_count(); ++i) {
+      const int c = find(entities[i].label);
+      if (c < 0 || ontology.classes[c].part_of.empty() || entities[i].whole >= 0) continue;
+      if (!join_whole(entities[i], c)) orphans.emplace_back(i, c);
+    }
+    for (const auto& [i, c] : orphans) {
+      std::erase_if(scored[i], [&](const Scored& s) { return s.class_index == c; });
+      judge(entities[i]);
+      changed = true;
+    }
   }
 
   gather_faces(matcher, ontology, labelling);

@@ -237,6 +237,8 @@ class Checker {
           }
           case Feature::elongation:
             return surface.rectangle.length.value / std::max(surface.rectangle.width.value, 1e-3);
+          case Feature::members:
+            return 1.0;
         }
       }
       if (clause.kind == ClauseKind::rectangular) return surface.rectangularness;
@@ -245,7 +247,8 @@ class Checker {
       if (clause.kind == ClauseKind::horizontal || clause.kind == ClauseKind::vertical) {
         return angle;
       }
-    } else if (clause.kind == ClauseKind::group) {
+    } else if (clause.kind == ClauseKind::group ||
+               (clause.kind == ClauseKind::feature && clause.feature == Feature::members)) {
       return static_cast<double>(labelling_.entities[static_cast<std::size_t>(id)].members.size());
     }
     if (clause.kind != ClauseKind::relation || claim.targets.size() != 1 ||

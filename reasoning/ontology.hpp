@@ -24,6 +24,7 @@ enum class Feature {
   height,           ///< [m] vertical extent
   elongation,       ///< [1] extension / width, at least 1
   rectangularness,  ///< R of the paper [1]: area / area of the fitted rectangle
+  members,          ///< [1] how many things a group is made of; 1 of a surface
 };
 
 enum class Extremum {

@@ -296,6 +296,10 @@ Evidence feature(Feature which, const Range& range, const Item& a) {
       q.sigma = q.value * std::hypot(a.extension.sigma / a.extension.value,
                                      a.width.sigma / std::max(a.width.value, 1e-3));
       break;
+    case Feature::members: {
+      const double n = static_cast<double>(std::max<std::size_t>(a.members.size(), 1));
+      return {n >= range.low && n <= range.high ? 1.0 : 0.0, n, 0.0, "1"};
+    }
   }
   const auto soft = [&](double limit) {
     return std::isfinite(limit) ? std::hypot(q.sigma, softness * limit) : 1.0;

@@ -22,6 +22,7 @@ std::map<Feature, Interval> intervals(const std::vector<Clause>& clauses) {
   for (const auto& word : feature_vocabulary()) {
     Interval whole;
     if (word.feature == Feature::elongation) whole.low = 1.0;
+    if (word.feature == Feature::members) whole.low = 1.0;
     if (word.feature == Feature::rectangularness) whole.high = 1.0;
     result[word.feature] = whole;
   }

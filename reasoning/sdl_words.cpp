@@ -41,6 +41,7 @@ const std::vector<FeatureWord>& feature_vocabulary() {
       {Feature::height, "height", 1},
       {Feature::elongation, "elongation", 0},
       {Feature::rectangularness, "rectangularness", 0},
+      {Feature::members, "members", 0},
   };
   return words;
 }

@@ -101,5 +101,42 @@ class cabinet top part of cabinet:
   EXPECT_EQ(test::count_things(labelling, "cabinet"), 1);
 }
 
+TEST(Assign, APartWithoutItsWholeIsJudgedAgain) {
+  const char* const lid_or_side = R"(
+axiom floor:
+    area at least 4 m2
+    horizontal
+    lowest
+class desk:
+    horizontal
+    extension 1.2..2 m
+    elevation 0.6..0.9 m above a floor
+class desk side part of desk:
+    vertical
+    lower than and near a desk
+    top 0.5..0.8 m above a floor
+    extension 0.6..0.8 m
+class screen:
+    vertical
+    extension 0.5..3 m
+)";
+  const auto ontology = parse_ontology(lid_or_side, "x.sdl");
+  const test::Plate panel = {{1.75, 1.5, 0.37}, {1, 0, 0}, {0, 1, 0}, 0.7, 0.7};
+  const auto with =
+      reason(test::make_surfaces({test::floor_plate(), test::desk_plate(), panel}), ontology, {});
+  EXPECT_EQ(with.entities[2].label, "desk side");
+  EXPECT_EQ(with.entities[2].whole, 1);
+  // A top that is nearly a desk, but unknown, keeps no side: what remains is a screen.
+  auto doubtful = test::desk_plate();
+  doubtful.length = 1.03;
+  const auto without =
+      reason(test::make_surfaces({test::floor_plate(), doubtful, panel}), ontology, {});
+  ASSERT_NE(without.entities[1].label, "desk");
+  ASSERT_GT(test::probability_of(without.entities[1], "desk"), 0.02);
+  EXPECT_EQ(without.entities[2].label, "screen");
+  EXPECT_EQ(test::probability_of(without.entities[2], "desk"), 0.0);
+  EXPECT_EQ(without.entities[2].whole, -1);
+}
+
 }  // namespace
 }  // namespace scanchor

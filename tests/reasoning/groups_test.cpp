@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "reasoning/check_proof.hpp"
 #include "reasoning/reason.hpp"
 #include "tests/reasoning/support/built.hpp"
 
@@ -91,6 +92,28 @@ TEST_F(Shelf, TwoShelvesSideBySideAreTwo) {
     plates.push_back(board);
   }
   EXPECT_EQ(shelves(), 2);
+}
+
+TEST_F(Shelf, MembersAreCounted) {
+  // Its own description, with a weight for each number of boards.
+  const auto tall = parse_ontology(
+      "class board part of tall shelf:\n    horizontal\n    extension 1..2 m\n    width 0.2..0.6 "
+      "m\n"
+      "class tall shelf:\n    at least 2 boards, each pair\n        parallel\n        stacked\n"
+      "    members 3..4\n",
+      "x.sdl");
+  for (const int boards : {2, 3, 4, 5}) {
+    auto some = test::shelf_boards(boards);
+    some.insert(some.begin(), test::floor_plate());
+    const auto surfaces = test::make_surfaces(some);
+    const auto labelling = reason(surfaces, tall, {});
+    EXPECT_EQ(test::count_things(labelling, "tall shelf"), boards == 3 || boards == 4 ? 1 : 0)
+        << boards;
+    for (std::size_t e = 0; e < labelling.entities.size(); ++e) {
+      for (const auto& fault : check_proof(surfaces, tall, labelling, static_cast<int>(e)))
+        ADD_FAILURE() << fault.clause << ": " << fault.text;
+    }
+  }
 }
 
 TEST_F(Shelf, OrderOfTheBoardsDoesNotMatter) {
