@@ -4,6 +4,7 @@
 #include "core/text.hpp"
 #include "reasoning/query.hpp"
 #include "reasoning/sdl_clause.hpp"
+#include "reasoning/sdl_hints.hpp"
 #include "reasoning/sdl_words.hpp"
 
 namespace scanchor {
@@ -56,11 +57,8 @@ class QueryParser : private ClauseReader {
       query.refs.push_back(ref(0));
     }
     if (!at_end()) {
-      std::vector<std::string> words = {"that", "of", "with", "without", "between", "not", "and"};
-      for (const auto& word : relation_vocabulary())
-        words.push_back(split_words(word.words).front());
       fail(peek(), "'" + peek().text + "' begins nothing that can be said of a thing",
-           nearest_word(peek().text, words) ? suggestion(peek().text, words) : "");
+           question_hint(*this));
     }
     return query;
   }
@@ -182,9 +180,12 @@ class QueryParser : private ClauseReader {
       result.classes.push_back(static_cast<int>(c));
       result.name = result.classes.size() == 1 ? name : head;
     }
-    if (result.classes.empty())
+    if (result.classes.empty()) {
+      const auto names = ontology_.class_names();
+      const std::string hint = nearest_word(token.text, names) ? "" : question_hint(*this);
       fail(token, "unknown class '" + token.text + "'",
-           suggestion(token.text, ontology_.class_names()));
+           hint.empty() ? suggestion(token.text, names) : hint);
+    }
     take();
   }
 
@@ -237,10 +238,11 @@ class QueryParser : private ClauseReader {
         for (const auto& word : feature_vocabulary()) known.emplace_back(word.word);
         for (const auto& word : relation_vocabulary())
           known.push_back(split_words(word.words).front());
+        const bool thing = at_word("a") || at_word("an") || at_word("the") || at_word("no");
         fail(first,
              first.kind == Token::Kind::end ? "the question ends behind 'that is'"
                                             : "unknown clause '" + first.text + "'",
-             suggestion(first.text, known));
+             thing ? "of things say 'with': 'desk with a monitor'" : suggestion(first.text, known));
       }
       if (!order) result.clauses.push_back(std::move(clause));
       more = at_word("and");

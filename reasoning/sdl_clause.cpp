@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/text.hpp"
+#include "reasoning/sdl_hints.hpp"
 #include "reasoning/sdl_words.hpp"
 
 namespace scanchor {
@@ -72,13 +73,20 @@ Range ClauseReader::range(int dimension, const std::string& what) {
   } else if (accept("about")) {
     result.about = true;
   }
+  const bool said = low || high || result.about;
+  if (!said && peek().kind != Token::Kind::number)
+    fail(peek(),
+         "'" + what + "' takes a range here" + (at_end() ? "" : ", found '" + peek().text + "'"),
+         range_hint(*this, what));
+  const std::string meant = said ? "" : range_hint(*this, what);
   const double a = number();
   double b = a;
-  if (!low && !high && !result.about) {
+  if (!said) {
     if (peek().kind != Token::Kind::dots) {
       fail(first,
            "'" + what +
-               "' takes a range: 0.9..1.7, or 'at least', 'at most', 'under', 'over', 'about'");
+               "' takes a range: 0.9..1.7, or 'at least', 'at most', 'under', 'over', 'about'",
+           meant);
     }
     take();
     b = number();
@@ -157,9 +165,10 @@ std::vector<RelationTerm> ClauseReader::relation_terms() {
 void ClauseReader::relation_clause(Clause& clause, const std::vector<std::string>& stops) {
   clause.relations = relation_terms();
   if (!accept("a") && !accept("an") && !accept("the")) {
-    fail(peek(), at_end()
-                     ? "the relation has no target: write 'a desk'"
-                     : "'a', 'an' or 'the' and a class was expected, found '" + peek().text + "'");
+    fail(peek(),
+         at_end() ? "the relation has no target: write 'a desk'"
+                  : "'a', 'an' or 'the' and a class was expected, found '" + peek().text + "'",
+         at_end() ? "" : target_hint(*this));
   }
   clause.target = name(stops);
   that_is(clause);
@@ -229,7 +238,9 @@ RelationTerm ClauseReader::relation_term() {
   for (const auto& word : relation_vocabulary()) known.push_back(split_words(word.words).front());
   for (const auto* word : {"horizontal", "vertical", "rectangular", "usually", "within", "not"})
     known.emplace_back(word);
-  fail(first, "unknown clause '" + first.text + "'", suggestion(first.text, known));
+  const std::string hint = clause_hint(*this);
+  fail(first, at_end() ? "a clause was expected here" : "unknown clause '" + first.text + "'",
+       hint.empty() ? suggestion(first.text, known) : hint);
 }
 
 double ClauseReader::distance(std::string& word) {

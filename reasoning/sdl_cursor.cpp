@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "reasoning/sdl_hints.hpp"
 #include "reasoning/sdl_parser.hpp"
 
 namespace scanchor {
@@ -57,7 +58,8 @@ void SdlCursor::fail(const Token& token, const std::string& cause,
 }
 
 void SdlCursor::expect_end() const {
-  if (!at_end()) fail(peek(), "nothing more was expected here, found '" + peek().text + "'");
+  if (!at_end())
+    fail(peek(), "nothing more was expected here, found '" + peek().text + "'", end_hint(*this));
 }
 
 std::string SdlCursor::rest() const {

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "reasoning/sdl_clause.hpp"
+#include "reasoning/sdl_hints.hpp"
 #include "reasoning/sdl_lexer.hpp"
 #include "reasoning/sdl_words.hpp"
 
@@ -157,6 +158,11 @@ class Parser : private ClauseReader {
       }
       if (accept("not") || accept("no")) {
         clause.kind = ClauseKind::negation;
+        if (!at_relation() && clause_hint(*this).empty())
+          fail(peek(),
+               "a relation was expected behind '" + first.text + "'" +
+                   (at_end() ? "" : ", found '" + peek().text + "'"),
+               denial_hint(*this));
         relation_clause(clause);
         expect_end();
         return clause;

@@ -145,7 +145,7 @@ TEST(SdlParser, ErrorsBehindThatIs) {
     const std::string text = "class a:\n    lowest\nclass b:\n    " + clause + "\n";
     EXPECT_NE(parse_error(text).find(part), std::string::npos) << parse_error(text);
   };
-  has("on an a that is", "own.sdl:4:20: unknown clause ''");
+  has("on an a that is", "own.sdl:4:20: a clause was expected here");
   has("on an a that is horizontl",
       "own.sdl:4:21: unknown clause 'horizontl'; did you mean "
       "'horizontal'?");
