@@ -50,10 +50,23 @@ int exit_code(Answer::Status status) {
   }
 }
 
-int run_find(FindArguments& arguments, bool ontology_given) {
+/// What label or run wrote is not labelled again: options of the labelling would change nothing.
+void refuse_labelling_options(const CLI::App& verb, const std::string& input) {
+  for (const char* option : {"--noise", "--method", "--up", "--mode", "--set", "--options"}) {
+    const auto* given = verb.get_option_no_throw(option);
+    if (given == nullptr || given->count() == 0) continue;
+    fail_usage(fmt::format("{}: {} is labelled already, and '{}' is an option of the labelling",
+                           option, input, option),
+               "ask the scan itself, or label it again with the option");
+  }
+}
+
+int run_find(FindArguments& arguments, const CLI::App& verb) {
   const ThreadLimit limit(arguments.common.threads);
   Labelled scene;
   const bool labelled = read_labelled(arguments.scan, scene);
+  if (labelled) refuse_labelling_options(verb, arguments.scan);
+  const bool ontology_given = verb.count("--ontology") > 0;
   const Ontology ontology =
       find_ontology(labelled && !ontology_given ? scene.labelling.ontology : arguments.ontology);
   const auto room = parse_place_question(arguments.question, ontology);
@@ -104,8 +117,7 @@ void add_find(CLI::App& root, ExitCodeSlot& code) {
       ->required()
       ->type_name("TEXT");
   add_scan_arguments(*verb, *arguments, true);
-  verb->callback(
-      [arguments, verb, &code] { code = run_find(*arguments, verb->count("--ontology") > 0); });
+  verb->callback([arguments, verb, &code] { code = run_find(*arguments, *verb); });
 }
 
 }  // namespace scanchor::apps

@@ -68,6 +68,13 @@ TEST(Find, RefusesWhatItCannotRead) {
   EXPECT_EQ(broken.code, 3);
   EXPECT_NE(broken.error.find("line 1, column 12"), std::string::npos) << broken.error;
   EXPECT_EQ(run_scanchor("find").code, 2);
+  for (const std::string option :
+       {"--noise 0.02", "--set reason.alternatives=false", "--up auto"}) {
+    const auto twice = run_scanchor("find 'the floor' labelled " + option);
+    EXPECT_EQ(twice.code, 2) << option;
+    EXPECT_NE(twice.error.find("is labelled already"), std::string::npos) << twice.error;
+    EXPECT_EQ(run_scanchor("find 'the floor' " + scan() + " " + option).code, 0) << option;
+  }
   const auto blind = run_scanchor("find 'nearest floor' " + scan() + " --sensor none");
   EXPECT_EQ(blind.code, 2);
   EXPECT_NE(blind.error.find("--sensor"), std::string::npos) << blind.error;
