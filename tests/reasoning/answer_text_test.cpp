@@ -23,7 +23,7 @@ struct AnswerText : testing::Test {
 TEST_F(AnswerText, IsInTheWordsOfTheLanguage) {
   const std::string found = text("screen on a desk");
   EXPECT_EQ(found.rfind("read as: a monitor on a desk\nfound one:\n   1  monitor", 0), 0U) << found;
-  EXPECT_NE(found.find("      on a desk: 0.11 +- 0.01 m, holds (0.99) on 0 (desk)\n"
+  EXPECT_NE(found.find("      on a desk: 0.11 +- 0.01 m, holds (1.00) on 0 (desk)\n"
                        "        is a desk: holds (0.90)\n"),
             std::string::npos)
       << found;

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <set>
+#include <sstream>
 #include <string>
 
 #include "core/data_folder.hpp"
@@ -68,6 +70,19 @@ TEST(RelationModel, TheShippedFileIsInUse) {
   }
   EXPECT_TRUE(differs) << "nothing was fitted";
   EXPECT_EQ(Surrounding{}.model, &relation_model());
+}
+
+TEST(RelationModel, TheDocsNameEveryConstantWithItsValues) {
+  std::ifstream page(SCANCHOR_SOURCE_DIR "/docs/reference/relations.md");
+  std::stringstream text;
+  text << page.rdbuf();
+  for (const auto& constant : relation_constants()) {
+    std::stringstream row;
+    row << "| `" << constant.name << "` | " << constant.unit << " | " << constant.part << " | "
+        << constant.meaning << " | " << RelationModel{}.*constant.value << " | "
+        << relation_model().*constant.value << " |";
+    EXPECT_NE(text.str().find(row.str()), std::string::npos) << row.str();
+  }
 }
 
 }  // namespace
