@@ -272,7 +272,9 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
     for (const auto& clause : entity.proof) {
       if (clause.target_class != ontology.classes[c].part_of || clause.targets.empty()) continue;
       const std::int32_t whole = clause.targets.front();
-      if (whole == entity.id || entities[whole].label != clause.target_class) continue;
+      if (whole == entity.id || entities[whole].label != clause.target_class ||
+          !part_fits(matcher, find(clause.target_class), whole, entity.id))
+        continue;
       entity.whole = whole;
       labelling.entity_of_surface[entity.id] = whole;
       entities[whole].surfaces.push_back(entity.id);

@@ -64,6 +64,24 @@ bool is_one(const std::vector<Clause>& clauses, const std::vector<Item>& items,
 
 }  // namespace
 
+bool part_fits(const Matcher& matcher, int whole_class, std::int32_t whole, std::int32_t part) {
+  const auto& items = matcher.items();
+  const Item& frame = items[whole];
+  if (frame.group) return true;
+  const Item& piece = items[part];
+  const double reach = std::abs(frame.along.dot(piece.along)) * piece.half_length +
+                       std::abs(frame.along.dot(piece.across)) * piece.half_width;
+  const double at = frame.along.dot(piece.center - frame.center);
+  const double length =
+      std::max(frame.half_length, at + reach) - std::min(-frame.half_length, at - reach);
+  for (const auto& clause : matcher.clauses(whole_class)) {
+    if (clause.kind == ClauseKind::feature && !clause.usually &&
+        clause.feature == Feature::extension && length > 1.1 * clause.range.high)
+      return false;
+  }
+  return true;
+}
+
 void gather_faces(const Matcher& matcher, const Ontology& ontology, Labelling& labelling) {
   const auto& items = matcher.items();
   auto& entities = labelling.entities;

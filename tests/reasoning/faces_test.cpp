@@ -71,5 +71,22 @@ TEST(Faces, LayersMayLeanALittle) {
   EXPECT_EQ(leaning(45), 2);
 }
 
+TEST(Faces, APartFitsIntoTheLengthOfItsWhole) {
+  const auto ontology = parse_ontology(
+      "class screen:\n    vertical\n    width at least 0.3 m\n    extension 0.4..0.8 m\n"
+      "class screen piece part of screen:\n    width under 0.2 m\n    within 1 m of a screen\n",
+      "x.sdl");
+  // A strip of 0.3 m beside a screen of 0.6 m: with it 0.77 m long, or 1.2 m from end to end.
+  const auto whole_of_strip = [&](double x) {
+    return reason(test::make_surfaces({{{0, 0, 1}, {0, -1, 0}, {1, 0, 0}, 0.6, 0.35},
+                                       {{x, 0.1, 1}, {0, -1, 0}, {1, 0, 0}, 0.3, 0.1}}),
+                  ontology, {})
+        .entities[1]
+        .whole;
+  };
+  EXPECT_EQ(whole_of_strip(0.32), 0);
+  EXPECT_EQ(whole_of_strip(0.75), -1);
+}
+
 }  // namespace
 }  // namespace scanchor
