@@ -19,6 +19,17 @@ class BeamGrid {
   static constexpr std::uint32_t cells_per_tile = 64;  ///< consecutive ones; the last is whole too
 
   BeamGrid(const CanonicalCloud& cloud, const Eigen::Vector3d& sensor);
+  [[nodiscard]] std::size_t tile_count() const { return spot_of_tile_.size(); }
+  /// The tiles around a tile, three by three, the tile itself in the middle, where all cells beside
+  /// its own lie on the same face; false elsewhere. Precondition: the tile holds a point.
+  [[nodiscard]] bool tiles_around(std::uint32_t tile, std::array<std::uint32_t, 9>& around) const {
+    const Spot& at = spot_of_tile_[tile];
+    if (at.x < 1 || at.y < 1 || 8 * (at.x + 1) >= side_ || 8 * (at.y + 1) >= side_) return false;
+    for (int k = 0; k < 9; ++k)
+      around[static_cast<std::size_t>(k)] = tile_at_[static_cast<std::size_t>(
+          (at.face * tiles_ + at.y + k / 3 - 1) * tiles_ + at.x + k % 3 - 1)];
+    return true;
+  }
   [[nodiscard]] std::size_t cell_count() const { return start_.size() - 1; }
   [[nodiscard]] std::uint32_t cell_of_point(std::size_t i) const { return cell_of_point_[i]; }
   /// The cell in a direction from the sensor; one without points where nothing was met.

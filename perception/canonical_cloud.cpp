@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "core/parallel.hpp"
 
@@ -18,6 +20,7 @@ struct Record {
   float x, y, z;
   std::uint32_t source;
 };
+using Records = std::unique_ptr<Record[]>;  // not set to zero first, as a vector's would be
 
 // Calls add(sum, begin, end) for blocks of [0, n), each with a sum of its own, and returns the sum
 // of all: for sums whose order does not matter.
@@ -150,13 +153,13 @@ void sort_cell(Record* first, std::size_t n, int bits, Record* scratch) {
 
 // Into the order of the codes, ties by x, y, z and source. By the first four levels of the octree
 // at once; each cell of those then holds few enough points to be sorted near the processor.
-void sort_records(std::vector<Record>& records) {
+void sort_records(Records& records, std::size_t n) {
   constexpr int top_bits = 12, shift = 3 * CanonicalCloud::levels - top_bits;
   constexpr std::size_t cells = 1U << top_bits;
-  const std::size_t n = records.size(), blocks = (n + points_a_task - 1) / points_a_task;
+  const std::size_t blocks = (n + points_a_task - 1) / points_a_task;
   std::vector<std::uint32_t> start(cells + 1, 0);
   {
-    std::vector<Record> scattered(n);
+    auto scattered = std::make_unique_for_overwrite<Record[]>(n);
     // Where the next record of a block goes, for each cell: blocks one after another.
     const std::size_t tasks = std::min<std::size_t>(blocks, 8), a_task = (n + tasks - 1) / tasks;
     std::vector<std::uint32_t> next(tasks * cells, 0);
@@ -187,7 +190,7 @@ void sort_records(std::vector<Record>& records) {
       const std::size_t size = start[cell + 1] - start[cell];
       if (size < 2) continue;
       if (scratch.size() < size) scratch.resize(size);
-      sort_cell(records.data() + start[cell], size, shift, scratch.data());
+      sort_cell(&records[start[cell]], size, shift, scratch.data());
     }
   });
 }
@@ -203,7 +206,7 @@ CanonicalCloud canonical_cloud(const std::vector<Eigen::Vector3d>& points,
   const Eigen::Isometry3d to_canonical = cloud.T_cloud_canonical.inverse();
   const std::size_t n = index.size();
 
-  std::vector<Record> records(n);
+  auto records = std::make_unique_for_overwrite<Record[]>(n);
   const Bounds bounds =
       sum_of_blocks(n, Bounds{}, [&](Bounds& sum, std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
@@ -225,28 +228,39 @@ CanonicalCloud canonical_cloud(const std::vector<Eigen::Vector3d>& points,
                spread_bits(static_cast<std::uint32_t>((p.z - cloud.low.z()) * to_cell));
     }
   });
-  sort_records(records);
+  sort_records(records, n);
 
-  cloud.source.resize(n);
-  cloud.first.reserve(n + 1);
-  for (auto* coordinate : {&cloud.x, &cloud.y, &cloud.z}) coordinate->resize(n);
-  cloud.code.resize(n);
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Record& p = records[i];
-    cloud.source[i] = p.source;
-    if (i > 0 && p.x == cloud.x[kept - 1] && p.y == cloud.y[kept - 1] && p.z == cloud.z[kept - 1]) {
-      cloud.first.back() = static_cast<std::uint32_t>(i + 1);
-      continue;
-    }
-    cloud.x[kept] = p.x;
-    cloud.y[kept] = p.y;
-    cloud.z[kept] = p.z;
-    cloud.code[kept++] = p.code;
-    cloud.first.push_back(static_cast<std::uint32_t>(i + 1));
-  }
+  // Equal points once: a block counts its different ones, and then knows where they go.
+  const auto is_new = [&](std::size_t i) {
+    const Record &p = records[i], &q = records[i - (i > 0 ? 1 : 0)];
+    return i == 0 || p.x != q.x || p.y != q.y || p.z != q.z;
+  };
+  std::vector<std::uint32_t> start((n + points_a_task - 1) / points_a_task, 0);
+  parallel_blocks(n, points_a_task, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t count = 0;
+    for (std::size_t i = begin; i < end; ++i) count += is_new(i) ? 1 : 0;
+    start[begin / points_a_task] = count;
+  });
+  std::uint32_t kept = 0;
+  for (auto& here : start) kept += std::exchange(here, kept);
   for (auto* coordinate : {&cloud.x, &cloud.y, &cloud.z}) coordinate->resize(kept);
   cloud.code.resize(kept);
+  cloud.source.resize(n);
+  cloud.first.resize(kept + 1);
+  parallel_blocks(n, points_a_task, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t to = start[begin / points_a_task];
+    for (std::size_t i = begin; i < end; ++i) {
+      const Record& p = records[i];
+      cloud.source[i] = p.source;
+      if (!is_new(i)) continue;
+      cloud.x[to] = p.x;
+      cloud.y[to] = p.y;
+      cloud.z[to] = p.z;
+      cloud.code[to] = p.code;
+      cloud.first[to++] = static_cast<std::uint32_t>(i);
+    }
+  });
+  cloud.first[kept] = static_cast<std::uint32_t>(n);
   cloud.inverse_range.assign(cloud.size(), 0.0F);
   return cloud;
 }

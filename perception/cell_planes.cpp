@@ -79,22 +79,28 @@ struct Links {
 
 Links link(const CanonicalCloud& cloud, const CellTree& tree, const std::vector<FlatCell>& flat,
            const std::vector<std::int32_t>& flat_of_cell) {
-  std::vector<std::uint64_t> pairs;
-  std::array<std::uint64_t, 26> codes;
+  constexpr std::size_t block = 128;
+  std::vector<std::vector<std::uint64_t>> found(flat.size() / block + 1);
   const auto is_flat_cell = [&](std::uint32_t at) { return flat_of_cell[at] >= 0; };
-  for (std::uint32_t f = 0; f < flat.size(); ++f) {
-    const int level = tree.cells[flat[f].cell].level;
-    const int count = tree.neighbour_codes(cloud, flat[f].cell, codes);
-    std::int32_t last = -1;
-    for (int k = 0; k < count; ++k) {
-      const auto at = tree.find(codes[static_cast<std::size_t>(k)], level, is_flat_cell);
-      if (at == CellTree::none || flat_of_cell[at] < 0 || flat_of_cell[at] == last) continue;
-      last = flat_of_cell[at];
-      const auto g = static_cast<std::uint32_t>(last);
-      pairs.push_back(std::uint64_t{f} << 32 | g);
-      pairs.push_back(std::uint64_t{g} << 32 | f);
+  parallel_blocks(flat.size(), block, [&](std::size_t begin, std::size_t end) {
+    auto& here = found[begin / block];
+    std::array<std::uint64_t, 26> codes;
+    for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f) {
+      const int level = tree.cells[flat[f].cell].level;
+      const int count = tree.neighbour_codes(cloud, flat[f].cell, codes);
+      std::int32_t last = -1;
+      for (int k = 0; k < count; ++k) {
+        const auto at = tree.find(codes[static_cast<std::size_t>(k)], level, is_flat_cell);
+        if (at == CellTree::none || flat_of_cell[at] < 0 || flat_of_cell[at] == last) continue;
+        last = flat_of_cell[at];
+        const auto g = static_cast<std::uint32_t>(last);
+        here.push_back(std::uint64_t{f} << 32 | g);
+        here.push_back(std::uint64_t{g} << 32 | f);
+      }
     }
-  }
+  });
+  std::vector<std::uint64_t> pairs;
+  for (const auto& here : found) pairs.insert(pairs.end(), here.begin(), here.end());
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   Links links;
@@ -149,9 +155,8 @@ GrownPlane grown_plane(const Moments& moments, const MomentPlane& plane, const B
 
 // A counting sort in a few blocks: `next` of a block and a plane is where the block's points of it
 // go.
-PlaneMembers::PlaneMembers(const PlaneLabels& labels) : start_(labels.planes.size() + 1, 0) {
-  const auto& of_point = labels.of_point;
-  const std::size_t planes = labels.planes.size();
+PlaneMembers::PlaneMembers(const std::vector<std::int32_t>& of_point, std::size_t planes)
+    : start_(planes + 1, 0) {
   const std::size_t block = std::max<std::size_t>(16384, of_point.size() / 16 + 1);
   std::vector<std::vector<std::uint32_t>> next(of_point.size() / block + 1);
   parallel_blocks(of_point.size(), block, [&](std::size_t begin, std::size_t end) {
@@ -239,16 +244,18 @@ PlaneLabels cell_planes(const CanonicalCloud& cloud, const CellTree& tree, const
     number[r] = static_cast<std::int32_t>(labels.planes.size());
     labels.planes.push_back(planes[r]);
   }
-  for (std::uint32_t f = 0; f < flat.size(); ++f) {
-    const auto id = number[static_cast<std::size_t>(into[static_cast<std::size_t>(region[f])])];
-    region_of_cell[flat[f].cell] = id;
-    const PlaneReach reach(labels.planes[static_cast<std::size_t>(id)]);
-    const Cell& cell = tree.cells[flat[f].cell];
-    for (auto p = cell.begin; p < cell.end; ++p) {
-      if (reach.holds(cloud.x[p], cloud.y[p], cloud.z[p], cloud.inverse_range[p]))
-        labels.of_point[p] = id;
+  parallel_blocks(flat.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const auto id = number[static_cast<std::size_t>(into[static_cast<std::size_t>(region[f])])];
+      region_of_cell[flat[f].cell] = id;
+      const PlaneReach reach(labels.planes[static_cast<std::size_t>(id)]);
+      const Cell& cell = tree.cells[flat[f].cell];
+      for (auto p = cell.begin; p < cell.end; ++p) {
+        if (reach.holds(cloud.x[p], cloud.y[p], cloud.z[p], cloud.inverse_range[p]))
+          labels.of_point[p] = id;
+      }
     }
-  }
+  });
   return labels;
 }
 

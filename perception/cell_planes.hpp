@@ -57,7 +57,9 @@ struct PlaneLabels {
 /// The points of each plane, rising.
 class PlaneMembers {
  public:
-  explicit PlaneMembers(const PlaneLabels& labels);
+  explicit PlaneMembers(const PlaneLabels& labels)
+      : PlaneMembers(labels.of_point, labels.planes.size()) {}
+  PlaneMembers(const std::vector<std::int32_t>& of_point, std::size_t planes);
   [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t plane) const {
     return {points_.data() + start_[plane], points_.data() + start_[plane + 1]};
   }

@@ -149,13 +149,15 @@ void PlaneChoice::choose(const std::vector<Moments>& fixed, int rounds,
     for (std::uint32_t p = 0; p < label.size(); ++p) {
       if (label[p] >= 0) sums[static_cast<std::size_t>(label[p])].add(c.x[p], c.y[p], c.z[p]);
     }
-    for (std::size_t r = 0; r < planes.size(); ++r) {
-      if (sums[r].n >= 6.0) {
-        planes[r] = grown_plane(sums[r], noise_);
-      } else {
-        planes[r].moments = sums[r];
+    parallel_blocks(planes.size(), 32, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t r = begin; r < end; ++r) {
+        if (sums[r].n >= 6.0) {
+          planes[r] = grown_plane(sums[r], noise_);
+        } else {
+          planes[r].moments = sums[r];
+        }
       }
-    }
+    });
   }
 }
 

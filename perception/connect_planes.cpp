@@ -8,6 +8,7 @@
 
 #include "core/parallel.hpp"
 #include "perception/join_planes.hpp"
+#include "perception/tile_fill.hpp"
 
 namespace scanchor {
 namespace {
@@ -25,7 +26,8 @@ class CellSearch {
         cloud_(cloud),
         grid_(grid),
         sight_(grid.cell_count(), 0),
-        seen_(grid.cell_count(), 0) {}
+        seen_(grid.cell_count(), 0),
+        fill_(grid) {}
 
   void ask_about(const GrownPlane& grown, const BeamNoise& noise) {
     reach_ = PlaneReach(grown);
@@ -33,45 +35,35 @@ class CellSearch {
     ++asking_;
   }
 
-  // Fills `piece` of the cells of a plane's points with numbers from 0: of what hangs together.
-  // Returns how many there are, and the cells.
+  // Parts the cells of a plane's points by what hangs together, and returns how many parts there
+  // are. Of more than one, `piece` of each cell is its number, from 0. Also returns the cells.
   std::int32_t find_pieces(std::span<const std::uint32_t> members,
                            std::vector<std::uint32_t>& cells) {
-    constexpr std::int32_t waiting = -2;
     cells.clear();
+    fill_.clear();
     for (const auto p : members) {
       const auto cell = grid_.cell_of_point(p);
-      if (piece[cell] == waiting) continue;
-      piece[cell] = waiting;
-      cells.push_back(cell);
+      if (fill_.add(cell)) cells.push_back(cell);
     }
     std::int32_t pieces = 0;
-    std::vector<std::uint32_t> rim;  // cells with one beside them that is not the plane's
+    const auto is_waiting = [&](std::uint32_t next) { return fill_.is_waiting(next); };
+    std::vector<std::uint32_t> taken, rim;  // rim: with a cell beside them that is not the plane's
     for (const auto first : cells) {
-      if (piece[first] != waiting) continue;
+      if (!fill_.is_waiting(first)) continue;
+      taken.clear();
       rim.clear();
-      queue_.assign(1, first);
-      piece[first] = pieces;
-      const auto is_waiting = [&](std::uint32_t next) { return piece[next] == waiting; };
-      const auto reached = [&](std::uint32_t next) {
-        piece[next] = pieces;
-        queue_.push_back(next);
-      };
+      fill_.reach(first);
       // All that touches first; only then what lies one cell further, of which little is left.
-      for (std::size_t head = 0, asked = 0;;) {
-        if (head < queue_.size()) {
-          const auto cell = queue_[head++];
-          bool open = false;
-          for (const auto next : grid_.around<1>(cell)) {
-            open |= piece[next] == no_piece;
-            if (is_waiting(next)) reached(next);
-          }
-          if (open) rim.push_back(cell);
-        } else if (asked < rim.size()) {
-          around(rim[asked++], is_waiting, reached);
-        } else {
-          break;
-        }
+      for (std::size_t asked = 0;;) {
+        fill_.take([&](std::uint32_t cell, bool at_rim) {
+          taken.push_back(cell);
+          if (at_rim) rim.push_back(cell);
+        });
+        if (asked == rim.size()) break;
+        around(rim[asked++], is_waiting, [&](std::uint32_t next) { fill_.reach(next); });
+      }
+      if (taken.size() < cells.size()) {
+        for (const auto cell : taken) piece[cell] = pieces;
       }
       ++pieces;
     }
@@ -192,6 +184,7 @@ class CellSearch {
   std::vector<std::uint32_t> queue_, touched_;
   std::vector<std::uint32_t> sight_;  // a Sight, and above it the number of the plane it is of
   std::vector<char> seen_;            // by the search for a path
+  TileFill fill_;
   std::uint32_t asking_ = 0;
   PlaneReach reach_{GrownPlane{}};
   float side_ = 1.0F;
@@ -268,7 +261,9 @@ std::vector<GrownPlane> split_plane(const CanonicalCloud& cloud, const BeamGrid&
     }
     for (const auto p : members) labels.of_point[p] = id[piece_of(grid.cell_of_point(p))];
   }
-  for (const auto cell : cells) search.piece[cell] = no_piece;
+  if (pieces > 1) {
+    for (const auto cell : cells) search.piece[cell] = no_piece;
+  }
   return more;
 }
 

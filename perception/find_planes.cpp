@@ -43,8 +43,11 @@ std::vector<RegionPart> sum_by_region(const PointCloud& cloud, const CanonicalCl
     std::size_t last = 0;
     for (std::size_t i = begin; i < end; ++i) {
       // The input lies in another order: its points are far from each other.
-      if (i + ahead < n)
-        __builtin_prefetch(&cloud.points[canonical.source[canonical.first[i + ahead]]]);
+      if (i + ahead < n) {
+        const auto next = canonical.source[canonical.first[i + ahead]];
+        __builtin_prefetch(&cloud.points[next]);
+        __builtin_prefetch(&plane_of_point[next], 1);
+      }
       const auto region = region_of[i];
       if (region < 0) continue;
       if (here.empty() || here[last].region != region) {
@@ -93,7 +96,6 @@ void collect_surfaces(const PointCloud& cloud, const PlaneInput& input,
     found[r].plane =
         plane_from_moments(moments[r], fit, origin, surfaces.sensor_positions, floor, beam);
     found[r].T_cloud_surface = surface_frame(found[r].plane, fit.axes.col(2));
-    found[r].inliers.reserve(count[r]);
   }
   // Some 2000 points of a surface, evenly along the canonical order, tell whether it bends.
   std::vector<BendTest> bend(regions);
@@ -114,12 +116,11 @@ void collect_surfaces(const PointCloud& cloud, const PlaneInput& input,
       }
     }
   });
-  for (std::size_t i = 0; i < surfaces.plane_of_point.size();
-       ++i) {  // in the input's order: rising
-    const auto region = surfaces.plane_of_point[i];
-    if (region >= 0)
-      found[static_cast<std::size_t>(region)].inliers.push_back(static_cast<std::uint32_t>(i));
-  }
+  const PlaneMembers inliers(surfaces.plane_of_point, regions);  // in the input's order: rising
+  parallel_blocks(regions, 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r)
+      found[r].inliers.assign(inliers[r].begin(), inliers[r].end());
+  });
   std::vector<std::size_t> order;
   for (std::size_t r = 0; r < regions; ++r) {
     if (moments[r].n >= 3.0) order.push_back(r);

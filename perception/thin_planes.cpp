@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
+#include "core/parallel.hpp"
 #include "perception/choose_planes.hpp"
 #include "perception/join_planes.hpp"
 #include "perception/surfels.hpp"
@@ -217,28 +219,39 @@ std::vector<std::pair<std::int32_t, std::int32_t>> meeting_planes(
     }
     start.push_back(static_cast<std::uint32_t>(labels.size()));
   }
-  std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
-  std::vector<std::int32_t> here, before;
-  for (std::uint32_t l = 0; l < pool.leaf.size(); ++l) {
-    here.clear();
-    const auto look = [&](std::int32_t one) {
-      if (std::find(here.begin(), here.end(), one) == here.end()) here.push_back(one);
-    };
-    const auto look_at = [&](std::uint32_t leaf) {
-      for (auto k = start[leaf]; k < start[leaf + 1]; ++k) look(labels[k]);
-    };
-    look_at(l);
-    for (auto k = pool.start[l]; k < pool.start[l + 1]; ++k) look_at(pool.to[k]);
-    for (auto k = pool.region_start[l]; k < pool.region_start[l + 1]; ++k) look(pool.regions[k]);
-    std::sort(here.begin(), here.end());
-    if (here == before) continue;  // as next door
-    before = here;
-    for (std::size_t i = 0; i < here.size(); ++i) {
-      for (std::size_t j = i + 1; j < here.size(); ++j) pairs.emplace_back(here[i], here[j]);
+  using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
+  const auto each_once = [](Pairs& some) {
+    std::sort(some.begin(), some.end());
+    some.erase(std::unique(some.begin(), some.end()), some.end());
+  };
+  constexpr std::size_t block = 1024;
+  std::vector<Pairs> found(pool.leaf.size() / block + 1);
+  parallel_blocks(pool.leaf.size(), block, [&](std::size_t begin, std::size_t end) {
+    auto& pairs = found[begin / block];
+    std::vector<std::int32_t> here, before;
+    for (auto l = static_cast<std::uint32_t>(begin); l < end; ++l) {
+      here.clear();
+      const auto look = [&](std::int32_t one) {
+        if (std::find(here.begin(), here.end(), one) == here.end()) here.push_back(one);
+      };
+      const auto look_at = [&](std::uint32_t leaf) {
+        for (auto k = start[leaf]; k < start[leaf + 1]; ++k) look(labels[k]);
+      };
+      look_at(l);
+      for (auto k = pool.start[l]; k < pool.start[l + 1]; ++k) look_at(pool.to[k]);
+      for (auto k = pool.region_start[l]; k < pool.region_start[l + 1]; ++k) look(pool.regions[k]);
+      std::sort(here.begin(), here.end());
+      if (here == before) continue;  // as next door
+      before = here;
+      for (std::size_t i = 0; i < here.size(); ++i) {
+        for (std::size_t j = i + 1; j < here.size(); ++j) pairs.emplace_back(here[i], here[j]);
+      }
     }
-  }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    each_once(pairs);
+  });
+  Pairs pairs;
+  for (const auto& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
+  each_once(pairs);
   return pairs;
 }
 
@@ -257,17 +270,24 @@ std::vector<std::pair<std::int32_t, std::int32_t>> all_pairs(
 
 void thin_planes(const CanonicalCloud& cloud, const CellTree& tree, const BeamNoise& noise,
                  const std::vector<std::int32_t>& region_of_cell, PlaneLabels& labels) {
-  const PointPool pool = point_pool(cloud, tree, labels, region_of_cell, noise.sigma);
-  const auto surfels = fit_surfels(pool, noise);
+  std::vector<Moments> fixed(labels.planes.size());  // of the points that flat cells settled
+  std::optional<PointPool> pooled;
+  std::vector<Surfel> surfels;
+  parallel_blocks(2, 1, [&](std::size_t task, std::size_t) {
+    if (task == 0) {
+      pooled.emplace(point_pool(cloud, tree, labels, region_of_cell, noise.sigma));
+      surfels = fit_surfels(*pooled, noise);
+      return;
+    }
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      if (labels.of_point[i] >= 0)
+        fixed[static_cast<std::size_t>(labels.of_point[i])].add(cloud.x[i], cloud.y[i], cloud.z[i]);
+    }
+  });
+  const PointPool& pool = *pooled;
   ThinWork work{pool, noise, surfels, labels.planes, {}, {}, 0};
   work.label.assign(pool.place.size(), -1);
   work.asked.assign(pool.leaf.size(), 0);
-  std::vector<Moments> fixed(labels.planes.size());  // of the points that flat cells settled
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (labels.of_point[i] >= 0) {
-      fixed[static_cast<std::size_t>(labels.of_point[i])].add(cloud.x[i], cloud.y[i], cloud.z[i]);
-    }
-  }
   claim(work);
   find_more(work);
   const auto follow = [&](const std::vector<std::int32_t>& into) {
