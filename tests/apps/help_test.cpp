@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+
 #include "tests/apps/support/command.hpp"
 
 namespace scanchor {
@@ -26,7 +29,11 @@ INSTANTIATE_TEST_SUITE_P(Verbs, Help,
                                          "explain", "find", "fit", "fit-relations", "report",
                                          "figures", "gallery", "check", "baseline", "sweep",
                                          "blame", "shrink"),
-                         [](const auto& row) { return std::string(row.param); });
+                         [](const auto& row) {
+                           std::string name = row.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 TEST(Help, EachVerbOfOntologies) {
   for (const std::string verb : {"format", "lint", "show", "convert"}) {
