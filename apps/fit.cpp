@@ -13,6 +13,7 @@
 #include "core/progress.hpp"
 #include "eval/run.hpp"
 #include "reasoning/fit.hpp"
+#include "reasoning/reference_rooms.hpp"
 #include "scenes/classes.hpp"
 #include "sensors/suite.hpp"
 
@@ -26,6 +27,7 @@ struct FitArguments {
   std::string ontology = "office";
   std::string out;
   int scenes = 0;
+  int rooms = 24;
   PerceiveOptions perceive;
   ReasonOptions reason;
 };
@@ -49,6 +51,25 @@ std::vector<std::string> true_names(const Scan& scan, const Surfaces& surfaces) 
     names.push_back(std::move(name));
   }
   return names;
+}
+
+/// office.background.json -> office.rooms.json
+fs::path rooms_file(const fs::path& background) {
+  std::string name = background.filename().string();
+  for (const std::string_view end : {".json", ".background"}) {
+    if (name.ends_with(end)) name.resize(name.size() - end.size());
+  }
+  return background.parent_path() / (name + ".rooms.json");
+}
+
+/// Rooms from all over the part, as many as are kept.
+std::vector<ReferenceRoom> spread(const std::vector<TrainingScene>& scenes,
+                                  const FitArguments& arguments) {
+  std::vector<ReferenceRoom> rooms;
+  const std::size_t count = std::min(scenes.size(), static_cast<std::size_t>(arguments.rooms));
+  for (std::size_t i = 0; i < count; ++i)
+    rooms.push_back(make_reference_room(scenes[i * scenes.size() / count], arguments.reason));
+  return rooms;
 }
 
 int run_fit(FitArguments& arguments) {
@@ -105,9 +126,12 @@ int run_fit(FitArguments& arguments) {
                                                    (ontology.name + ".background.json")
                                              : fs::path(arguments.out);
   write_background(out, background);
+  const fs::path beside = rooms_file(out);
+  write_reference_rooms(beside, spread(scenes, arguments), fitted_on);
 
   Json json = background_to_json(background);
   json["file"] = out.string();
+  json["rooms_file"] = beside.string();
   answer(arguments.common, json);
   say(arguments.common, "Counted on " + fitted_on + ".");
   const auto silent = std::count_if(background.rates.begin(), background.rates.end(),
@@ -116,6 +140,7 @@ int run_fit(FitArguments& arguments) {
                                     background.unknown_prior, silent));
   say(arguments.common, fmt::format("{} clauses of {} classes: {}", background.rates.size(),
                                     ontology.classes.size(), out.string()));
+  say(arguments.common, fmt::format("Rooms to hold new classes against: {}", beside.string()));
   return 0;
 }
 
@@ -137,6 +162,10 @@ void add_fit(CLI::App& root, ExitCodeSlot& code) {
   verb->add_option("--out", arguments->out,
                    "File to write; without it: <ontology>.background.json beside the class file")
       ->type_name("FILE");
+  verb->add_option("--rooms", arguments->rooms,
+                   "So many of the rooms are kept beside it, to weigh classes that nobody counted")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
   verb->add_option("--scenes", arguments->scenes, "At most so many training rooms; 0: all")
       ->check(CLI::Range(0, 1000000));
   add_common(*verb, arguments->common);

@@ -9,6 +9,7 @@
 #include "core/file.hpp"
 #include "core/text.hpp"
 #include "reasoning/background.hpp"
+#include "reasoning/new_classes.hpp"
 #include "reasoning/sdl_parser.hpp"
 
 namespace scanchor {
@@ -173,7 +174,17 @@ Ontology read_ontology(const fs::path& path) {
     const fs::path sidecar = fs::path(file).replace_extension(".background.json");
     if (is_file(sidecar)) apply_background(ontology, read_background(sidecar));
   }
+  // Beside what is counted, what is not: weighed as its like, and held against rooms that are
+  // known.
+  const std::vector<int> uncounted = new_classes(ontology);
   fill_uncounted(ontology);
+  if (uncounted.empty() || ontology.fitted_on.empty()) return ontology;
+  for (auto file = files.rbegin(); file != files.rend(); ++file) {
+    const fs::path rooms = fs::path(*file).replace_extension(".rooms.json");
+    if (!is_file(rooms)) continue;
+    weigh_new_classes(ontology, uncounted, read_reference_rooms(rooms));
+    break;
+  }
   return ontology;
 }
 
