@@ -20,11 +20,11 @@ class BeamGrid {
 
   BeamGrid(const CanonicalCloud& cloud, const Eigen::Vector3d& sensor);
   [[nodiscard]] std::size_t tile_count() const { return spot_of_tile_.size(); }
-  /// The tiles around a tile, three by three, the tile itself in the middle, where all cells beside
-  /// its own lie on the same face; false elsewhere. Precondition: the tile holds a point.
+  /// The tiles around a tile, three by three, the tile itself in the middle, where all cells up to
+  /// two from its own lie on the same face; false elsewhere. Precondition: the tile holds a point.
   [[nodiscard]] bool tiles_around(std::uint32_t tile, std::array<std::uint32_t, 9>& around) const {
     const Spot& at = spot_of_tile_[tile];
-    if (at.x < 1 || at.y < 1 || 8 * (at.x + 1) >= side_ || 8 * (at.y + 1) >= side_) return false;
+    if (at.x < 1 || at.y < 1 || 8 * at.x + 10 > side_ || 8 * at.y + 10 > side_) return false;
     for (int k = 0; k < 9; ++k)
       around[static_cast<std::size_t>(k)] = tile_at_[static_cast<std::size_t>(
           (at.face * tiles_ + at.y + k / 3 - 1) * tiles_ + at.x + k % 3 - 1)];

@@ -46,6 +46,7 @@ class CellSearch {
       if (fill_.add(cell)) cells.push_back(cell);
     }
     std::int32_t pieces = 0;
+    std::size_t left = cells.size();
     const auto is_waiting = [&](std::uint32_t next) { return fill_.is_waiting(next); };
     std::vector<std::uint32_t> taken, rim;  // rim: with a cell beside them that is not the plane's
     for (const auto first : cells) {
@@ -59,12 +60,15 @@ class CellSearch {
           taken.push_back(cell);
           if (at_rim) rim.push_back(cell);
         });
-        if (asked == rim.size()) break;
-        around(rim[asked++], is_waiting, [&](std::uint32_t next) { fill_.reach(next); });
+        if (asked == rim.size() || taken.size() == left) break;
+        const auto cell = rim[asked++];
+        if (fill_.waits_near(cell))
+          around(cell, is_waiting, [&](std::uint32_t next) { fill_.reach(next); });
       }
       if (taken.size() < cells.size()) {
         for (const auto cell : taken) piece[cell] = pieces;
       }
+      left -= taken.size();
       ++pieces;
     }
     return pieces;

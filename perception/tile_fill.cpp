@@ -8,6 +8,18 @@ void TileFill::clear() {
   queue_.clear();
 }
 
+bool TileFill::waits_near(std::uint32_t cell) {
+  const auto tile = cell >> 6;
+  if (tile == quiet_) return false;
+  std::array<std::uint32_t, 9> tiles{};
+  if (!grid_.tiles_around(tile, tiles)) return true;
+  std::uint64_t any = 0;
+  for (const auto t : tiles) any |= waiting_[t];
+  if (any != 0) return true;
+  quiet_ = tile;
+  return false;
+}
+
 std::uint64_t TileFill::spread(std::uint32_t tile, std::uint64_t bits) {
   std::uint64_t rim = 0;
   std::array<std::uint32_t, 9> tiles{};

@@ -23,6 +23,7 @@ class TileFill {
     const std::uint64_t bit = bit_of(cell);
     if ((own & bit) != 0) return false;
     if (own == 0) tiles_.push_back(cell >> 6);
+    quiet_ = 0;
     own |= bit;
     waiting_[cell >> 6] |= bit;
     return true;
@@ -30,6 +31,8 @@ class TileFill {
   [[nodiscard]] bool is_waiting(std::uint32_t cell) const {
     return (waiting_[cell >> 6] & bit_of(cell)) != 0;
   }
+  /// May a cell up to two away from one of these cells wait?
+  [[nodiscard]] bool waits_near(std::uint32_t cell);
   /// The next piece holds this cell.
   void reach(std::uint32_t cell) { reach(cell >> 6, bit_of(cell)); }
 
@@ -75,6 +78,7 @@ class TileFill {
   const BeamGrid& grid_;
   std::vector<std::uint64_t> own_, waiting_, pending_;  // a bit a cell, by tile
   std::vector<std::uint32_t> tiles_, queue_;            // that hold any; that were reached
+  std::uint32_t quiet_ = 0;  // tile with nothing that waits in it and around; 0: not known
 };
 
 }  // namespace scanchor

@@ -56,7 +56,7 @@ TEST(TileFill, TakesWhatACellByCellSearchTakes) {
   const auto cloud = beams_all_around(20000);
   const BeamGrid grid(cloud, cloud.T_cloud_canonical.inverse().translation());
   TileFill fill(grid);
-  std::size_t several = 0, large = 0;
+  std::size_t several = 0, large = 0, quiet = 0;
   for (int round = 0; round < 60; ++round) {
     // Some caps of the sphere, with more or less of their cells.
     std::vector<std::uint32_t> cells;
@@ -75,6 +75,12 @@ TEST(TileFill, TakesWhatACellByCellSearchTakes) {
     }
     std::vector<Piece> pieces;
     for (const auto first : cells) {
+      const auto near = grid.around<2>(first);
+      if (std::any_of(near.begin(), near.end(), [&](auto c) { return fill.is_waiting(c); })) {
+        EXPECT_TRUE(fill.waits_near(first));
+      } else {
+        quiet += fill.waits_near(first) ? 0 : 1;
+      }
       if (!fill.is_waiting(first)) continue;
       Piece piece;
       fill.reach(first);
@@ -92,6 +98,7 @@ TEST(TileFill, TakesWhatACellByCellSearchTakes) {
                  ? 1
                  : 0;
   }
+  EXPECT_GT(quiet, 1000U);
   EXPECT_GT(several, 20U);
   EXPECT_GT(large, 3U);
 }
