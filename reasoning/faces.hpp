@@ -17,8 +17,8 @@ namespace scanchor {
 /// already a part or a member of something are left alone.
 void gather_faces(const Matcher& matcher, const Ontology& ontology, Labelling& labelling);
 
-/// May the part belong to this thing of the class? Not where both together would be more than a tenth
-/// longer, along the longer side of the thing, than the class is at most.
+/// May the part belong to this thing of the class? Not where both together would be more than a
+/// tenth longer, along the longer side of the thing, than the class is at most.
 bool part_fits(const Matcher& matcher, int whole_class, std::int32_t whole, std::int32_t part);
 
 }  // namespace scanchor
