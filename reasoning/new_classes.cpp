@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 
 #include "reasoning/background.hpp"
 #include "reasoning/matcher.hpp"
@@ -123,14 +124,25 @@ struct Rate {
   }
 };
 
+/// The rooms as the classes see them.
+using Matched = std::vector<std::unique_ptr<Matcher>>;
+
+Matched match_all(const Ontology& ontology, const std::vector<ReferenceRoom>& rooms) {
+  Matched matched;
+  for (const auto& room : rooms) {
+    matched.push_back(std::make_unique<Matcher>(ontology, room.items, room.around));
+    matched.back()->run();
+  }
+  return matched;
+}
+
 void count_rates(Ontology& ontology, const std::vector<int>& classes,
-                 const std::vector<ReferenceRoom>& rooms) {
+                 const std::vector<ReferenceRoom>& rooms, const Matched& matched) {
   std::map<int, std::vector<Rate>> rates;
   for (const int c : classes)
     rates[c].resize(ontology.classes[static_cast<std::size_t>(c)].clauses.size());
-  for (const auto& room : rooms) {
-    Matcher matcher(ontology, room.items, room.around);
-    matcher.run();
+  for (std::size_t r = 0; r < rooms.size(); ++r) {
+    const Matcher& matcher = *matched[r];
     for (const int c : classes) {
       const auto& clauses = ontology.classes[static_cast<std::size_t>(c)].clauses;
       for (const auto& item : matcher.items()) {
@@ -138,7 +150,7 @@ void count_rates(Ontology& ontology, const std::vector<int>& classes,
         const bool candidate = matcher.belief(c, item.id) > 0.0;
         if (item.group && !candidate) continue;
         if (!item.group) {
-          const int truth = ontology.find(room.classes[static_cast<std::size_t>(item.id)]);
+          const int truth = ontology.find(rooms[r].classes[static_cast<std::size_t>(item.id)]);
           if (truth >= 0 && akin(ontology, c, truth)) continue;
         }
         for (std::size_t i = 0; i < clauses.size(); ++i) {
@@ -160,21 +172,26 @@ void count_rates(Ontology& ontology, const std::vector<int>& classes,
 std::map<int, std::vector<Rival>> find_rivals(const Ontology& ontology,
                                               const std::vector<int>& classes,
                                               const std::vector<char>& is_new,
-                                              const std::vector<ReferenceRoom>& rooms) {
+                                              const std::vector<ReferenceRoom>& rooms,
+                                              const Matched& matched) {
   std::map<int, std::vector<Rival>> rivals;
-  for (const auto& room : rooms) {
-    Matcher matcher(ontology, room.items, room.around);
-    matcher.run();
+  for (std::size_t r = 0; r < rooms.size(); ++r) {
+    const Matcher& matcher = *matched[r];
     const auto others = scores_of_others(ontology, matcher, is_new);
     for (const int c : classes) {
-      const double prior = std::log(prior_of(ontology, c));
+      const auto clauses = all_clauses(ontology, c);  // with the rates that were counted just now
       for (const auto& candidate : matcher.candidates(c)) {
         const auto i = static_cast<std::size_t>(candidate.item);
-        std::string name = name_of(matcher, room, matcher.items()[i]);
+        std::string name = name_of(matcher, rooms[r], matcher.items()[i]);
         const int truth = ontology.find(name);
         if (truth >= 0 && truth != c && akin(ontology, c, truth)) continue;
         if (truth >= 0 && truth != c) name.clear();
-        rivals[c].push_back({candidate.score - prior, others[i], std::move(name)});
+        double evidence = 0.0;
+        for (const auto& clause : clauses) {
+          const double value = matcher.evaluate(c, clause, candidate.item).value;
+          evidence += ontology.temperature * weight_of(clause) * evidence_of(clause, value);
+        }
+        rivals[c].push_back({evidence, others[i], std::move(name)});
       }
     }
   }
@@ -217,11 +234,13 @@ void weigh_new_classes(Ontology& ontology, const std::vector<int>& classes,
   if (rooms.empty() || classes.empty()) return;
   std::vector<char> is_new(ontology.classes.size(), 0);
   for (const int c : classes) is_new[static_cast<std::size_t>(c)] = 1;
-  count_rates(ontology, classes, rooms);
+  Matched matched = match_all(ontology, rooms);
+  count_rates(ontology, classes, rooms, matched);
   const double none = unknown_prior_of(ontology);
   // New classes that build on each other need the offsets of the first round.
   for (int round = 0; round < (classes.size() > 1 ? 2 : 1); ++round) {
-    const auto rivals = find_rivals(ontology, classes, is_new, rooms);
+    if (round > 0) matched = match_all(ontology, rooms);
+    const auto rivals = find_rivals(ontology, classes, is_new, rooms, matched);
     for (const int c : classes) {
       auto& described = ontology.classes[static_cast<std::size_t>(c)];
       const auto own = rivals.find(c);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -63,15 +64,26 @@ TEST(OwnClass, IsFoundWithItsReasonAndChangesNothingElse) {
   EXPECT_NE(why.out.find("elevation 0.3..0.7 m above a floor: "), std::string::npos) << why.out;
   EXPECT_NE(why.out.find("is a floor"), std::string::npos) << "down to the axiom\n" << why.out;
   EXPECT_EQ(run_scanchor("find 'the bed' bedroom_own").code, 0);
+  const auto elsewhere = run_scanchor("find 'the bed' bedroom_own --ontology own_bed.sdl");
+  EXPECT_EQ(elsewhere.code, 0);
+  std::filesystem::create_directories(scratch() + "elsewhere");
+  const auto lost = run_scanchor("--version >/dev/null; cd elsewhere; '" SCANCHOR_COMMAND
+                                 "' find 'the bed' ../bedroom_own");
+  EXPECT_EQ(lost.code, 3);
+  EXPECT_NE(lost.error.find("name its file: --ontology own_bed.sdl"), std::string::npos)
+      << lost.error;
 }
 
 TEST(OwnClass, ThatFitsMuchIsBelievedOfLittle) {
   write_file(scratch() + "own_thing.sdl", "import office\n\nclass platform:\n    horizontal\n");
   const auto before = labelled("office", "bedroom_office");
+  int changed = 0;
   for (const auto& [id, object] : labelled("own_thing.sdl", "bedroom_thing")) {
     EXPECT_NE(object.at("class"), "platform") << id;
-    EXPECT_EQ(object.at("class"), before.at(id).at("class")) << id;
+    changed += object.at("class") != before.at(id).at("class") ? 1 : 0;
   }
+  EXPECT_LE(changed, 2)
+      << "a hundredth goes to it from all that is level: what stood at 0.50 falls";
 }
 
 }  // namespace
