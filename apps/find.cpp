@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "apps/scan_input.hpp"
+#include "core/data_folder.hpp"
 #include "core/file.hpp"
 #include "core/parallel.hpp"
 #include "reasoning/alternatives.hpp"
@@ -61,14 +62,25 @@ void refuse_labelling_options(const CLI::App& verb, const std::string& input) {
   }
 }
 
+/// The class file that a scene was labelled with. A user's own is known by its name alone.
+Ontology ontology_of(const Labelling& labelling, const std::string& input) {
+  const std::string& name = labelling.ontology;
+  std::error_code error;
+  if (!look_up_data_file("ontologies", name, ".sdl") && !fs::is_regular_file(name + ".sdl", error))
+    fail_data(input, "", "was labelled with '" + name + "', which is not found here",
+              "name its file: --ontology " + name + ".sdl");
+  return find_ontology(name);
+}
+
 int run_find(FindArguments& arguments, const CLI::App& verb) {
   const ThreadLimit limit(arguments.common.threads);
   Labelled scene;
   const bool labelled = read_labelled(arguments.scan, scene);
   if (labelled) refuse_labelling_options(verb, arguments.scan);
   const bool ontology_given = verb.count("--ontology") > 0;
-  const Ontology ontology =
-      find_ontology(labelled && !ontology_given ? scene.labelling.ontology : arguments.ontology);
+  const Ontology ontology = labelled && !ontology_given
+                                ? ontology_of(scene.labelling, arguments.scan)
+                                : find_ontology(arguments.ontology);
   const auto room = parse_place_question(arguments.question, ontology);
   const Query query = room ? room->thing : parse_query(arguments.question, ontology);
   if (!labelled) {
