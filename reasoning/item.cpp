@@ -5,6 +5,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "reasoning/likelihood.hpp"
 #include "reasoning/plane_error.hpp"
 
 namespace scanchor {
@@ -40,18 +41,12 @@ Footprint make_footprint(const Eigen::Vector3d& center, const Eigen::Vector3d& a
 Quantity quantity(const Measured& measured, double fallback_sigma, double hidden) {
   Quantity q;
   q.value = measured.value;
-  // A 95 % interval is 2 x 1.96 standard deviations wide.
-  q.sigma = std::max((measured.high - measured.low) / 3.92, 0.0);
-  if (q.sigma <= 0.0) q.sigma = fallback_sigma;
+  // A 95 % interval is 2 x 1.96 standard deviations wide. The longer half of a lopsided one stands
+  // for another reading, a shadow or a neighbour's points: this thing ends where its points do.
+  const double half = std::min(measured.value - measured.low, measured.high - measured.value);
+  q.sigma = half > 0.0 ? half / 1.96 : fallback_sigma;
   q.hidden = measured.at_least ? hidden : 0.0;
   return q;
-}
-
-/// The longer half of a lopsided interval stands for another reading of a side: a shadow, a
-/// neighbour's points.
-double side_sigma(const Measured& measured, double fallback_sigma) {
-  const double half = std::min(measured.value - measured.low, measured.high - measured.value);
-  return half > 0.0 ? half / 1.96 : fallback_sigma;
 }
 
 /// Item::open of a surface; `x`, `y`: the rectangle's sides in the surface's frame.
@@ -159,8 +154,7 @@ std::vector<Item> make_items(const Surfaces& surfaces, const Eigen::Matrix3d& R)
     const double edge = std::max(0.005, 0.5 * surfaces.point_spacing);
     item.extension = quantity(rectangle.length, edge, hidden);
     item.width = quantity(rectangle.width, edge, hidden);
-    item.edge_sigma =
-        std::max(side_sigma(rectangle.length, edge), side_sigma(rectangle.width, edge));
+    item.edge_sigma = std::max(item.extension.sigma, item.width.sigma);
     item.area =
         quantity(surface.area, edge * (rectangle.length.value + rectangle.width.value), hidden);
     item.has_shape = rectangle.length.value > 0.0 && surface.area.value > 0.0;
@@ -200,9 +194,8 @@ std::vector<Item> make_items(const Surfaces& surfaces, const Eigen::Matrix3d& R)
     item.z = item.center.z();
     // From here on the box holds the whole rectangle, so that it bounds every distance from below.
     extend_by_rectangle();
-    const double lean = std::sqrt(std::max(0.0, 1.0 - item.normal.z() * item.normal.z()));
-    item.z_sigma =
-        std::hypot(item.offset_sigma, lean * std::max(item.extension.sigma, item.width.sigma));
+    item.z_sigma = std::sqrt(sqr(item.offset_sigma) + sqr(item.along.z() * item.extension.sigma) +
+                             sqr(item.across.z() * item.width.sigma));
     item.height = {item.z_high - item.z_low, std::max(item.z_sigma, 0.5 * edge),
                    item.extension.hidden > 0.0 || item.width.hidden > 0.0 ? hidden : 0.0};
     finish(item);
