@@ -107,3 +107,5 @@ BENCHMARK(many_surfaces_many_classes)
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace
+
+BENCHMARK_MAIN();
