@@ -7,41 +7,14 @@
 #include "reasoning/corner.hpp"
 #include "reasoning/groups.hpp"
 #include "reasoning/likelihood.hpp"
-#include "reasoning/support_relations.hpp"
+#include "reasoning/reach.hpp"
 
 namespace scanchor {
 
 namespace {
 
-/// True where a relation that needs nearness is certainly 0, from the boxes alone. 1.5 m is beyond
-/// eight standard deviations of every default distance for things whose size is known to 10 cm;
-/// others are left to the relation itself.
-bool out_of_reach(const Clause& clause, const Item& a, const Item& b) {
-  for (const auto& term : clause.relations) {
-    double reach = INFINITY;
-    switch (term.relation) {
-      case Relation::touching:
-        reach = 1.5;
-        break;
-      case Relation::near:
-        reach = 2.0 * (term.range.has_high() ? term.range.high : 0.5) + 1.5;
-        break;
-      case Relation::above:
-      case Relation::below:
-      case Relation::on:
-      case Relation::supports: {
-        const bool upper = term.relation == Relation::above || term.relation == Relation::on;
-        if (plan_gap(a, b) > overlap_reach(upper ? b : a)) return true;
-        continue;
-      }
-      default:
-        continue;
-    }
-    if (std::max(a.edge_sigma, b.edge_sigma) > 0.1) continue;
-    if (a.box.exteriorDistance(b.box) > reach) return true;
-  }
-  return false;
-}
+/// Fewer are looked at one by one.
+constexpr std::size_t many_targets = 64;
 
 }  // namespace
 
@@ -70,6 +43,7 @@ Matcher::Matcher(const Ontology& ontology, std::vector<Item> items, const Surrou
   candidates_.resize(count);
   targets_.resize(count);
   runs_.resize(count);
+  grids_.resize(count);
   twin_ = first_of_twins(items_);
   for (std::size_t c = 0; c < count; ++c) {
     class_of_name_.emplace(ontology.classes[c].name(), static_cast<int>(c));
@@ -193,15 +167,23 @@ ClauseValue Matcher::evaluate_relation(const Clause& clause, std::int32_t id) co
       if (!related_by_birth(target.item) && !consider(target.belief, target.item, 1)) break;
     }
   } else {
-    for (const auto& run : runs_[wanted]) {
-      if (run.count == 1) {
-        if (related_by_birth(run.first)) continue;
-        if (!consider(run.belief, run.first, 1)) break;
-        continue;
-      }
+    const auto hold = [&](const Run& run) {
+      if (run.count == 1) return related_by_birth(run.first) || consider(run.belief, run.first, 1);
       const bool within = twin_[id] == twin_[run.first] && belief(wanted, id) == run.belief;
       const std::int32_t target = run.first == id ? run.second : run.first;
-      if (!consider(run.belief, target, run.count - (within ? 1 : 0))) break;
+      return consider(run.belief, target, run.count - (within ? 1 : 0));
+    };
+    const auto& runs = runs_[wanted];
+    const double reach = required && runs.size() >= many_targets ? reach_of(clause, a) : INFINITY;
+    // The likeliest is named where none is near.
+    std::size_t next = 0;
+    while (next < runs.size() && (best.target < 0 || std::isinf(reach)) && hold(runs[next])) ++next;
+    if (std::isfinite(reach) && best.target >= 0) {
+      std::vector<std::int32_t> near;
+      grids_[wanted].near(a.box, reach, near);
+      for (auto at = std::lower_bound(near.begin(), near.end(), static_cast<std::int32_t>(next));
+           at != near.end() && hold(runs[*at]); ++at) {
+      }
     }
   }
   if (clause.kind == ClauseKind::negation) {
@@ -369,6 +351,14 @@ void Matcher::publish(int class_index) {
     if (run.second < 0) run.second = target.item;
     ++run.count;
   }
+  if (runs.size() < many_targets) return;
+  std::vector<Eigen::AlignedBox3d> boxes;
+  std::vector<std::int32_t> far;
+  for (const auto& run : runs) {
+    if (reaches_far(items_[run.first])) far.push_back(static_cast<std::int32_t>(boxes.size()));
+    boxes.push_back(items_[run.first].box);
+  }
+  grids_[class_index] = PlanGrid(boxes, far);
 }
 
 void Matcher::evaluate_context(int class_index) {

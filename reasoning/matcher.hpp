@@ -10,6 +10,7 @@
 
 #include "reasoning/item.hpp"
 #include "reasoning/ontology.hpp"
+#include "reasoning/plan_grid.hpp"
 #include "reasoning/relation.hpp"
 #include "reasoning/scene_extent.hpp"
 #include "reasoning/unary_index.hpp"
@@ -107,6 +108,7 @@ class Matcher {
   std::vector<std::vector<Candidate>> candidates_;
   std::vector<std::vector<Target>> targets_;                   ///< of a class, falling belief
   std::vector<std::vector<Run>> runs_;                         ///< the same, twins as one
+  std::vector<PlanGrid> grids_;                                ///< of the boxes of many runs
   std::vector<std::int32_t> twin_;                             ///< first item of this geometry
   std::vector<Evidence> horizontal_, vertical_, rectangular_;  ///< of each surface
   mutable std::vector<std::optional<Evidence>> cornered_;      ///< of each item, once asked for

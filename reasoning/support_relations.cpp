@@ -13,7 +13,6 @@ namespace {
 
 constexpr double held_margin = 0.025;  // [m] that footprints of items hold
 constexpr double level_cosine = 0.94;  // normals this near to vertical: 20 degrees
-constexpr double thickening = 0.2;  // [m] boxes further apart than that have no footprint in common
 constexpr double unseen_reach = 0.35;  // of its length that a thing is taken to go on unseen
 
 bool is_level(const Item& item) { return !item.group && std::abs(item.normal.z()) > level_cosine; }
@@ -132,7 +131,8 @@ double plan_gap(const Item& a, const Item& b) {
 
 double overlap_reach(const Item& lower) {
   const double open = *std::max_element(lower.open.begin(), lower.open.end());
-  return thickening + (is_level(lower) && open > 0.3 ? unseen_reach * lower.extension.value : 0.0);
+  return overlap_thickening +
+         (is_level(lower) && open > 0.3 ? unseen_reach * lower.extension.value : 0.0);
 }
 
 double height_sigma(const Item& a, const Item& b, const Surrounding& around) {

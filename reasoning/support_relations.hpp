@@ -27,8 +27,10 @@ double share_over(const Item& a, const Item& b);
 
 /// [m] between the boxes in the plan, along the axis where they are farther apart; 0: overlap.
 double plan_gap(const Item& a, const Item& b);
-/// Above, below, on and supports are 0 where plan_gap exceeds this; longer where the lower thing
-/// may go on in a shadow.
+/// [m] Boxes further apart than that have no footprint in common.
+inline constexpr double overlap_thickening = 0.2;
+/// Above, below, on and supports are 0 where plan_gap exceeds this: overlap_thickening, or longer
+/// where the lower thing may go on in a shadow.
 double overlap_reach(const Item& lower);
 
 Evidence above_relation(const Item& a, const Item& b, const Surrounding& around);

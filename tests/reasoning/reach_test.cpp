@@ -1,0 +1,87 @@
+#include "reasoning/reach.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/random.hpp"
+#include "reasoning/relation.hpp"
+#include "reasoning/support_relations.hpp"
+#include "tests/reasoning/support/built.hpp"
+
+namespace scanchor {
+namespace {
+
+Clause clause_of(Relation relation, double high = INFINITY) {
+  Clause clause;
+  clause.kind = ClauseKind::relation;
+  RelationTerm term;
+  term.relation = relation;
+  if (std::isfinite(high)) term.range.high = high;
+  clause.relations = {term};
+  return clause;
+}
+
+std::vector<Item> random_items(SequentialRandom& random) {
+  std::vector<test::Plate> plates;
+  for (int i = 0; i < 40; ++i) {
+    test::Plate plate;
+    plate.center = {random.uniform(-4, 4), random.uniform(-4, 4), random.uniform(0, 2)};
+    plate.normal =
+        random.chance(0.5) ? Eigen::Vector3d::UnitZ().eval() : Eigen::Vector3d::UnitX().eval();
+    plate.along = Eigen::Vector3d::UnitY();
+    plate.length = random.uniform(0.2, 2.0);
+    plate.width = random.uniform(0.1, 1.0);
+    plate.hidden = random.chance(0.3) ? random.uniform(0.1, 0.8) : 0.0;
+    plates.push_back(plate);
+  }
+  return make_items(test::make_surfaces(plates), Eigen::Matrix3d::Identity());
+}
+
+const std::vector<Clause>& clauses_that_need_nearness() {
+  static const std::vector<Clause> clauses = {
+      clause_of(Relation::near, 0.3), clause_of(Relation::near, 1.0), clause_of(Relation::touching),
+      clause_of(Relation::above),     clause_of(Relation::below),     clause_of(Relation::on),
+      clause_of(Relation::supports)};
+  return clauses;
+}
+
+TEST(Reach, WhatIsOutOfReachHoldsNowhere) {
+  SequentialRandom random(5);
+  std::size_t out = 0;
+  for (int round = 0; round < 8; ++round) {
+    const auto items = random_items(random);
+    for (const auto& clause : clauses_that_need_nearness()) {
+      for (const auto& a : items) {
+        for (const auto& b : items) {
+          if (&a == &b || !out_of_reach(clause, a, b)) continue;
+          ++out;
+          EXPECT_LT(relate(clause.relations[0], a, b, {}).likelihood, 1e-5)
+              << "the gate is at 0.05";
+        }
+      }
+    }
+  }
+  EXPECT_GT(out, 10000U);
+}
+
+TEST(Reach, WhatLiesFartherInPlanIsOutOfReach) {
+  SequentialRandom random(6);
+  std::size_t farther = 0;
+  for (int round = 0; round < 8; ++round) {
+    const auto items = random_items(random);
+    for (const auto& clause : clauses_that_need_nearness()) {
+      for (const auto& a : items) {
+        const double reach = reach_of(clause, a);
+        for (const auto& b : items) {
+          if (reaches_far(b) || plan_gap(a, b) <= reach) continue;
+          ++farther;
+          EXPECT_TRUE(out_of_reach(clause, a, b));
+        }
+      }
+    }
+  }
+  EXPECT_GT(farther, 10000U);
+  EXPECT_TRUE(std::isinf(reach_of(clause_of(Relation::parallel), random_items(random)[0])));
+}
+
+}  // namespace
+}  // namespace scanchor
