@@ -13,7 +13,7 @@
 namespace scanchor {
 namespace {
 
-constexpr double enough = 0.9;  // of a rectangle is filled: the surface is one
+constexpr double nearly_filled = 0.9;  // of a rectangle is filled: the surface is one
 
 bool on_surface(const std::vector<Polygon>& polygons, const Eigen::Vector2d& p) {
   return std::any_of(polygons.begin(), polygons.end(),
@@ -247,7 +247,7 @@ void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surface
   surface.area.low = std::max(0.0, surface.area.low - fit.loose_area);
   surface.rectangularness = filled_share(view, surface, gate);
   // What sticks out of a rectangle that is filled is no part of it, and neither is a stray.
-  if (surface.rectangularness >= enough) {
+  if (surface.rectangularness >= nearly_filled) {
     const auto shown = [&](std::size_t k) { return !fit.censored[k] && !fit.censored[k + 2]; };
     strays = area_outside(surface.polygons, fit.rectangle, shown(0), shown(1));
   }
@@ -257,7 +257,7 @@ void shape_surface(const PointCloud& cloud, const ShapeView* view, const Surface
   // could be seen of it, and at least two sides were seen along a third of their length.
   const auto seen = std::count_if(fit.support.begin(), fit.support.end(),
                                   [](double support) { return support >= 0.3; });
-  surface.is_rectangle = seen >= 2 && surface.rectangularness >= enough;
+  surface.is_rectangle = seen >= 2 && surface.rectangularness >= nearly_filled;
 }
 
 }  // namespace scanchor

@@ -15,7 +15,7 @@ namespace scanchor {
 namespace {
 
 constexpr int most_pieces = 6;
-constexpr int apart = -1;               // pieces: those between which wide gaps are
+constexpr int by_wide_gaps = -1;        // pieces: those between which wide gaps are
 constexpr double shortest_piece = 0.2;  // [m]
 constexpr double widest_shadow = 0.6;   // [m]
 const double prior_of_seam = std::log(0.3);
@@ -89,7 +89,7 @@ class Reader {
 
   std::vector<Choice> choose() {
     std::vector<Choice> choices;
-    cut_all({apart}, choices);
+    cut_all({by_wide_gaps}, choices);
     cut_all({0}, choices);
     cut_all({2, 3, 4, 5, most_pieces}, choices);
     join_all(choices);
@@ -139,14 +139,14 @@ class Reader {
     std::size_t first, count;  ///< of its pieces among those added
   };
 
-  /// Where a surface is cut into so many pieces, 0: into those its outline falls into, `apart`: by
-  /// more than a shadow; empty: not.
+  /// Where a surface is cut into so many pieces, 0: into those its outline falls into,
+  /// by_wide_gaps: by more than a shadow; empty: not.
   [[nodiscard]] std::vector<double> cuts_of(const Surface& surface, int pieces,
                                             double& prior) const {
     const double length = surface.rectangle.length.value;
-    prior = pieces == apart ? prior_of_gap : prior_of_seam;
+    prior = pieces == by_wide_gaps ? prior_of_gap : prior_of_seam;
     if (pieces <= 0) {
-      const auto seams = outline_seams(surface, pieces == apart ? widest_shadow : 0.0);
+      const auto seams = outline_seams(surface, pieces == by_wide_gaps ? widest_shadow : 0.0);
       if (seams.size() >= most_pieces) return {};
       return seams;
     }
@@ -211,7 +211,7 @@ class Reader {
     std::vector<Cut> cuts;
     std::vector<Surface> added;
     for (const auto& surface : surfaces_.surfaces) {
-      const bool by_gaps = numbers.front() == apart;
+      const bool by_gaps = numbers.front() == by_wide_gaps;
       if (surface.inliers.empty() || (!by_gaps && surface.rectangularness < 0.6)) continue;
       // What is likelier than not as it is does not compete: a wide desk is no two narrow ones.
       const auto& as_it_is = as_it_is_.of_class[surface.id];

@@ -13,10 +13,10 @@ namespace scanchor {
 
 namespace {
 
-constexpr double fine = 1e-4;    // of directions, areas [m2] and deviations [m]
-constexpr double coarse = 1e-3;  // of lengths [m]
-constexpr double share = 1e-2;
-constexpr double tilt = 1e-7;  // [rad2]
+constexpr double unit_of_directions = 1e-4;  // of directions, areas [m2] and deviations [m]
+constexpr double unit_of_lengths = 1e-3;     // of lengths [m]
+constexpr double unit_of_shares = 1e-2;
+constexpr double unit_of_tilts = 1e-7;  // [rad2]
 
 /// The numbers of an item in one order, for writing and for reading.
 template <typename Number>
@@ -24,28 +24,28 @@ void walk(Item& item, Number&& number) {
   const auto vector = [&](Eigen::Vector3d& v, double unit) {
     for (int i = 0; i < 3; ++i) number(v[i], unit);
   };
-  vector(item.center, coarse);
-  vector(item.centroid, coarse);
-  vector(item.normal, fine);
-  vector(item.along, fine);
-  vector(item.across, fine);
+  vector(item.center, unit_of_lengths);
+  vector(item.centroid, unit_of_lengths);
+  vector(item.normal, unit_of_directions);
+  vector(item.along, unit_of_directions);
+  vector(item.across, unit_of_directions);
   for (Quantity* q :
        {&item.area, &item.extension, &item.width, &item.height, &item.rectangularness}) {
-    number(q->value, fine);
-    number(q->sigma, fine);
-    number(q->hidden, share);
+    number(q->value, unit_of_directions);
+    number(q->sigma, unit_of_directions);
+    number(q->hidden, unit_of_shares);
   }
-  for (double& side : item.open) number(side, share);
-  number(item.edge_sigma, fine);
-  number(item.offset_sigma, fine);
-  number(item.z_low, coarse);
-  number(item.z_high, coarse);
-  number(item.z_sigma, fine);
-  vector(item.box.min(), coarse);
-  vector(item.box.max(), coarse);
+  for (double& side : item.open) number(side, unit_of_shares);
+  number(item.edge_sigma, unit_of_directions);
+  number(item.offset_sigma, unit_of_directions);
+  number(item.z_low, unit_of_lengths);
+  number(item.z_high, unit_of_lengths);
+  number(item.z_sigma, unit_of_directions);
+  vector(item.box.min(), unit_of_lengths);
+  vector(item.box.max(), unit_of_lengths);
   for (Eigen::Vector2d* v : {&item.footprint.u, &item.footprint.v}) {
-    number(v->x(), coarse);
-    number(v->y(), coarse);
+    number(v->x(), unit_of_lengths);
+    number(v->y(), unit_of_lengths);
   }
 }
 
@@ -57,7 +57,7 @@ Json to_numbers(Item item) {
   const Eigen::Matrix3d& C = item.normal_covariance;
   for (const double x : {item.along.dot(C * item.along), item.along.dot(C * item.across),
                          item.across.dot(C * item.across)})
-    numbers.push_back(static_cast<std::int64_t>(std::llround(x / tilt)));
+    numbers.push_back(static_cast<std::int64_t>(std::llround(x / unit_of_tilts)));
   numbers.push_back(item.has_shape ? 1 : 0);
   return numbers;
 }
@@ -80,7 +80,7 @@ Item from_numbers(const JsonReader& numbers, std::int32_t id) {
       numbers.fail("holds a direction without a length", "make it again with 'scanchor fit'");
     v->normalize();
   }
-  const double aa = take(tilt), ab = take(tilt), bb = take(tilt);
+  const double aa = take(unit_of_tilts), ab = take(unit_of_tilts), bb = take(unit_of_tilts);
   const Eigen::Vector3d &a = item.along, &b = item.across;
   item.normal_covariance = aa * a * a.transpose() + bb * b * b.transpose() +
                            ab * (a * b.transpose() + b * a.transpose());

@@ -68,10 +68,10 @@ struct Place {
   std::size_t scene, index;
 };
 
-class Fit {
+class ConstantsFit {
  public:
-  Fit(const std::vector<RelationScene>& scenes, const RelationModel& start,
-      const RelationFitOptions& options)
+  ConstantsFit(const std::vector<RelationScene>& scenes, const RelationModel& start,
+               const RelationFitOptions& options)
       : options_(options), scenes_(scenes), start_(start), model_(start) {
     for (auto& scene : scenes_) use_model(scene, model_);
   }
@@ -246,7 +246,7 @@ RelationFit fit_relations(const std::vector<RelationScene>& scenes, const Relati
     return !scene.samples.empty() || !scene.normals.empty();
   });
   if (!any) fail_data("fit", "", "there is no pair of faces to learn relations from");
-  return Fit(scenes, start, options).run();
+  return ConstantsFit(scenes, start, options).run();
 }
 
 }  // namespace scanchor

@@ -17,7 +17,7 @@ struct Everyday {
 };
 
 /// Relations to a thing: what follows is the target.
-constexpr Everyday relations[] = {
+constexpr Everyday everyday_relations[] = {
     {"next to", "near"},
     {"close to", "near"},
     {"adjacent to", "touching"},
@@ -54,7 +54,7 @@ constexpr Everyday relations[] = {
     {"without", "not near"},
 };
 
-constexpr Everyday features[] = {
+constexpr Everyday everyday_features[] = {
     {"length", "extension"},   {"long", "extension"},    {"size", "extension"},
     {"diameter", "extension"}, {"depth", "width"},       {"deep", "width"},
     {"wide", "width"},         {"breadth", "width"},     {"thickness", "width"},
@@ -62,7 +62,7 @@ constexpr Everyday features[] = {
     {"ratio", "elongation"},   {"aspect", "elongation"}, {"altitude", "elevation"},
 };
 
-constexpr Everyday directions[] = {
+constexpr Everyday everyday_directions[] = {
     {"flat", "horizontal"},          {"level", "horizontal"},      {"upright", "vertical"},
     {"standing", "vertical"},        {"rectangle", "rectangular"}, {"square", "elongation 1..1.15"},
     {"round", "elongation 1..1.15"}, {"biggest", "largest"},       {"top", "highest"},
@@ -95,7 +95,7 @@ std::string words_from(const SdlCursor& cursor, std::size_t ahead) {
   return words;
 }
 
-std::string with_article(const std::string& words) {
+std::string article_before(const std::string& words) {
   if (words.empty()) return "a desk";
   for (const auto* article : {"a ", "an ", "the "}) {
     if (words.starts_with(article)) return words;
@@ -104,7 +104,7 @@ std::string with_article(const std::string& words) {
   return (vowel ? "an " : "a ") + words;
 }
 
-std::string quoted(const std::string& words) { return "write '" + words + "'"; }
+std::string write_this(const std::string& words) { return "write '" + words + "'"; }
 
 }  // namespace
 
@@ -117,7 +117,7 @@ std::string clause_hint(const SdlCursor& cursor) {
   if (first.kind == Token::Kind::other && first.text == "-") return "leave the '-' out";
   if (holds(maybe, first.text)) {
     const std::string rest = words_from(cursor, 1);
-    return quoted("usually " + (rest.empty() ? "near a desk" : rest));
+    return write_this("usually " + (rest.empty() ? "near a desk" : rest));
   }
   if (holds(unmeasured, first.text))
     return "colours and materials are not measured; sizes, directions and relations are";
@@ -130,26 +130,27 @@ std::string clause_hint(const SdlCursor& cursor) {
         return "a thing is no clause: say how it lies to this one, 'supporting " + rest +
                "' or 'near " + rest + "'; for 'is a' see the header, 'class x is a y:'";
     }
-    return rest.empty() ? "" : quoted(rest);
+    return rest.empty() ? "" : write_this(rest);
   }
   if (first.text == "with" || first.text == "contains")
-    return "say how the two lie to each other: 'supporting " + with_article(words_from(cursor, 1)) +
-           "' or 'near " + with_article(words_from(cursor, 1)) + "'";
+    return "say how the two lie to each other: 'supporting " +
+           article_before(words_from(cursor, 1)) + "' or 'near " +
+           article_before(words_from(cursor, 1)) + "'";
   if (first.text == "if" || first.text == "or" || first.text == "and" || first.text == "either")
     return "every line holds by itself; for 'or' describe two classes, one a kind of the other";
-  for (const auto& word : features) {
+  for (const auto& word : everyday_features) {
     if (first.text != word.words) continue;
     const std::string rest = words_from(cursor, 1);
-    return quoted(std::string(word.means) + " " + (rest.empty() ? "0.4..0.5 m" : rest));
+    return write_this(std::string(word.means) + " " + (rest.empty() ? "0.4..0.5 m" : rest));
   }
-  for (const auto& word : directions) {
+  for (const auto& word : everyday_directions) {
     if (first.text == word.words && cursor.peek(1).kind == Token::Kind::end)
-      return quoted(std::string(word.means));
+      return write_this(std::string(word.means));
   }
-  for (const auto& word : relations) {
+  for (const auto& word : everyday_relations) {
     if (!cursor.at_words(word.words)) continue;
-    return quoted(std::string(word.means) + " " +
-                  with_article(words_from(cursor, split_words(word.words).size())));
+    return write_this(std::string(word.means) + " " +
+                      article_before(words_from(cursor, split_words(word.words).size())));
   }
   return "";
 }
@@ -170,17 +171,18 @@ std::string denial_hint(const SdlCursor& cursor) {
     for (const auto& word : relation_vocabulary()) {
       const auto parts = split_words(word.words);
       if (i == 0 || cursor.peek(i).text != parts.front()) continue;
-      return quoted("not " + std::string(word.words) + " " + with_article(thing));
+      return write_this("not " + std::string(word.words) + " " + article_before(thing));
     }
     thing += (i == 0 ? "" : " ") + cursor.peek(i).text;
   }
-  if (!thing.empty()) return "say how: 'not near " + with_article(thing) + "', 'not on ...'";
+  if (!thing.empty()) return "say how: 'not near " + article_before(thing) + "', 'not on ...'";
   return "write for example: not near a desk";
 }
 
 std::string target_hint(const SdlCursor& cursor) {
-  if (cursor.at_words("top of")) return quoted("on " + with_article(words_from(cursor, 2)));
-  if (cursor.peek().kind == Token::Kind::word) return quoted(with_article(words_from(cursor, 0)));
+  if (cursor.at_words("top of")) return write_this("on " + article_before(words_from(cursor, 2)));
+  if (cursor.peek().kind == Token::Kind::word)
+    return write_this(article_before(words_from(cursor, 0)));
   if (cursor.peek().kind == Token::Kind::number)
     return "how many is no matter of a relation; write 'a ...'";
   return "";
@@ -203,16 +205,16 @@ std::string range_hint(const SdlCursor& cursor, const std::string& what) {
       unit = " " + token.text;
     }
   }
-  if (numbers.empty()) return quoted(what + " 0.4..0.5 m");
+  if (numbers.empty()) return write_this(what + " 0.4..0.5 m");
   const std::string& a = numbers.front();
-  if (numbers.size() > 1) return quoted(what + " " + a + ".." + numbers[1] + unit);
+  if (numbers.size() > 1) return write_this(what + " " + a + ".." + numbers[1] + unit);
   if (first.text == ">" || first.text == "above" || first.text == "more" || first.text == "min" ||
       first.text == "minimum" || first.text == "larger" || first.text == "from")
-    return quoted(what + " at least " + a + unit);
+    return write_this(what + " at least " + a + unit);
   if (first.text == "<" || first.text == "below" || first.text == "less" || first.text == "max" ||
       first.text == "maximum" || first.text == "smaller" || first.text == "up")
-    return quoted(what + " at most " + a + unit);
-  return quoted(what + " about " + a + unit);
+    return write_this(what + " at most " + a + unit);
+  return write_this(what + " about " + a + unit);
 }
 
 std::string end_hint(const SdlCursor& cursor) {
@@ -241,10 +243,10 @@ std::string question_hint(const SdlCursor& cursor) {
     return "rooms and parts of rooms cannot be named; of things there are 'inside a', 'in front of "
            "a'";
   if (cursor.at_word("of")) return "'on top of' is 'on'";
-  for (const auto& word : relations) {
+  for (const auto& word : everyday_relations) {
     if (first.text != "without" && cursor.at_words(word.words)) {
       const std::string rest = words_from(cursor, split_words(word.words).size());
-      return quoted(std::string(word.means) + " " + with_article(rest));
+      return write_this(std::string(word.means) + " " + article_before(rest));
     }
   }
   std::vector<std::string> known = {"that", "of", "with", "without", "between", "not", "and"};

@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 using testing_support::run_scanchor;
 using testing_support::scratch;
 
-constexpr const char* what = "generate quick --scenes 6 --threads 1 --quiet --set lidar.lines=40";
+constexpr const char* six_scenes =
+    "generate quick --scenes 6 --threads 1 --quiet --set lidar.lines=40";
 
 /// Starts the command without waiting.
 pid_t start(const std::string& arguments) {
@@ -45,13 +46,13 @@ std::map<std::string, std::string> hashes(const fs::path& root) {
 }
 
 TEST(Generate, AKilledRunGoesOnToTheSameBytes) {
-  ASSERT_EQ(run_scanchor(std::string(what) + " --out whole").code, 0);
+  ASSERT_EQ(run_scanchor(std::string(six_scenes) + " --out whole").code, 0);
   const auto whole = hashes(scratch() + "whole");
   ASSERT_TRUE(whole.contains("dataset.json"));
   // Killed in the middle of the second, the third, the fourth room.
   for (const char* room : {"01", "02", "03"}) {
     const fs::path set = scratch() + "killed";
-    const pid_t child = start(std::string(what) + " --out killed");
+    const pid_t child = start(std::string(six_scenes) + " --out killed");
     ASSERT_GT(child, 0);
     for (int i = 0; i < 20000 && !fs::exists(set / "sequences" / room); ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -65,7 +66,7 @@ TEST(Generate, AKilledRunGoesOnToTheSameBytes) {
       EXPECT_EQ(hash, whole.at(name)) << name << " after " << room;
     }
   }
-  const auto ran = run_scanchor(std::string(what) + " --out killed --json");
+  const auto ran = run_scanchor(std::string(six_scenes) + " --out killed --json");
   ASSERT_EQ(ran.code, 0) << ran.error;
   EXPECT_GE(Json::parse(ran.out).at("scenes_found"), 1);
   EXPECT_EQ(hashes(scratch() + "killed"), whole);

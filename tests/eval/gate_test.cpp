@@ -11,7 +11,7 @@
 namespace scanchor {
 namespace {
 
-constexpr ClassId desk = 8, chair = 12;
+constexpr ClassId desk_id = 8, chair_id = 12;
 
 // A synthetic run: scenes of 40 things whose difficulty differs by 15 points between scenes, and a
 // pipeline whose own luck moves a scene by 4 points (the figures of the experiment in the design
@@ -35,7 +35,7 @@ RunResult synthetic(int scenes, double recall, std::uint64_t luck, const Protoco
     row.score.data = run.data;
     row.score.scans = 1;
     row.score.objects.classes.resize(class_list().size());
-    auto& counts = row.score.objects.classes[desk];
+    auto& counts = row.score.objects.classes[desk_id];
     counts.truths = 400;
     counts.found = std::llround(400 * rate);
     counts.wrong = std::llround(400 * (1.0 - rate) * 0.5);
@@ -107,8 +107,8 @@ TEST(Gate, CatchesTwoLabelsSwapped) {
   after.pooled = Score{};
   for (auto& row : after.rows) {  // every desk is called a chair
     auto& classes = row.score.objects.classes;
-    classes[chair].wrong = classes[desk].found;
-    classes[desk].found = 0;
+    classes[chair_id].wrong = classes[desk_id].found;
+    classes[desk_id].found = 0;
     after.pooled.add(row.score);
   }
   const auto report = compare_runs(before, after, quick());

@@ -56,14 +56,14 @@ std::map<EdgeKind, double> length_by_kind(const Outline& outline) {
   return length;
 }
 
-const Panel wall = box_panel({6, 0, 0}, {0, 1, 0}, {0, 0, 1}, 40, 40);
+const Panel backdrop = box_panel({6, 0, 0}, {0, 1, 0}, {0, 0, 1}, 40, 40);
 
 TEST(Outline, RunsHalfWayBetweenHitAndMiss) {
   double bias = 0.0;
   for (int k = 0; k < 10; ++k) {
     const double width = 0.8 + 0.0073 * k;  // other phases of the rays each time
-    const auto outlined =
-        outline_of_first({box_panel({2, 0.1, 0.05}, {0.2, 1, 0.1}, {0, 0, 1}, 1.0, width), wall});
+    const auto outlined = outline_of_first(
+        {box_panel({2, 0.1, 0.05}, {0.2, 1, 0.1}, {0, 0, 1}, 1.0, width), backdrop});
     EXPECT_NEAR(area(outlined.outline), width, 0.02 * width);
     bias += (area(outlined.outline) / width - 1.0) / 10.0;
     EXPECT_NEAR(length_by_kind(outlined.outline)[EdgeKind::occlusion], 0.0, 1e-9);
@@ -76,7 +76,7 @@ TEST(Outline, AWindowIsAHoleOfTrueEdges) {
   Ring hole = testing::box_ring(0.4, 0.3);
   std::reverse(hole.begin(), hole.end());
   panel.holes.push_back(hole);
-  const auto outlined = outline_of_first({panel, wall});
+  const auto outlined = outline_of_first({panel, backdrop});
   ASSERT_EQ(outlined.outline.rings.size(), 2U);
   EXPECT_NEAR(outlined.outline.rings[1].area, -0.12, 0.01);
   EXPECT_NEAR(area(outlined.outline), 1.08, 0.02);
@@ -86,7 +86,7 @@ TEST(Outline, AWindowIsAHoleOfTrueEdges) {
 TEST(Outline, AShadowIsToldFromAnEdge) {
   // A post half-way hides a vertical strip 0.2 m wide of the board.
   const auto outlined =
-      outline_of_first({box_panel({2, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1.0, 0.8), wall,
+      outline_of_first({box_panel({2, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1.0, 0.8), backdrop,
                         box_panel({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.1, 3.0)});
   EXPECT_EQ(outlined.outline.rings.size(), 2U) << "two pieces";
   auto length = length_by_kind(outlined.outline);
@@ -103,7 +103,7 @@ TEST(Outline, TheEndOfTheViewIsNoEdge) {
   setup.azimuth_to_deg = 10;
   setup.beams = 150;
   const auto outlined =
-      outline_of_first({box_panel({2, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1.6, 0.8), wall}, setup);
+      outline_of_first({box_panel({2, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1.6, 0.8), backdrop}, setup);
   auto length = length_by_kind(outlined.outline);
   EXPECT_NEAR(length[EdgeKind::view_limit], 0.8, 0.1);
   EXPECT_EQ(length[EdgeKind::occlusion], 0.0);
@@ -112,7 +112,8 @@ TEST(Outline, TheEndOfTheViewIsNoEdge) {
 TEST(Outline, WhereAWallMeetsTheFloorTheFloorEnds) {
   ScannerSetup setup;
   setup.position = {0, 0, 1.4};
-  // A floor to x = 3, the wall on it; and a low box in the way, which throws a shadow behind it.
+  // A floor to x = 3, the wall on it; and a low box in the way, which throws a shadow behind
+  // it.
   const Panel floor = box_panel({1.5, 0, 0}, {1, 0, 0}, {0, 1, 0}, 3.0, 2.0);
   const Panel end = box_panel({3, 0, 1.4}, {0, 1, 0}, {0, 0, 1}, 2.0, 2.8);
   auto alone = length_by_kind(outline_of_first({floor, end}, setup).outline);
@@ -129,9 +130,10 @@ TEST(Outline, RowsFarApartAtAGrazingAngleAreOneSurface) {
   // A desk top seen from 10 cm above it: rows up to 30 cm apart, points of a row 1 cm.
   ScannerSetup setup;
   setup.position = {0, 0, 0.85};
-  const auto outlined = outline_of_first({box_panel({2.4, 0, 0.75}, {1, 0, 0}, {0, 1, 0}, 1.6, 0.8),
-                                          wall, box_panel({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 20, 20)},
-                                         setup);
+  const auto outlined =
+      outline_of_first({box_panel({2.4, 0, 0.75}, {1, 0, 0}, {0, 1, 0}, 1.6, 0.8), backdrop,
+                        box_panel({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 20, 20)},
+                       setup);
   EXPECT_EQ(outlined.outline.rings.size(), 1U);
   EXPECT_NEAR(area(outlined.outline), 1.28, 0.3)
       << "five rows in all: each end is known to half of one";

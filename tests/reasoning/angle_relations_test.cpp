@@ -12,7 +12,7 @@
 namespace scanchor {
 namespace {
 
-const RelationModel usual;  // whatever was fitted
+const RelationModel usual_angles;  // whatever was fitted
 
 Item item_facing(const Eigen::Vector3d& normal, const Eigen::Matrix3d& covariance) {
   Item made;
@@ -33,16 +33,21 @@ Eigen::Vector3d turned(double deg) { return {std::cos(radians(deg)), std::sin(ra
 TEST(AngleRelations, ANarrowStripMayTurnAboutItsLongAxisOnly) {
   const Item wall = item_facing(Eigen::Vector3d::UnitX(), Eigen::Matrix3d::Zero());
   const Eigen::Vector3d leaning(std::cos(radians(15)), 0.0, std::sin(radians(15)));
-  EXPECT_GT(parallel_relation(wall, item_facing(turned(15), about_z(10)), usual).likelihood, 0.2);
-  EXPECT_LT(parallel_relation(wall, item_facing(leaning, about_z(10)), usual).likelihood, 0.1);
-  EXPECT_LT(parallel_relation(wall, item_facing(turned(15), about_z(1)), usual).likelihood, 0.1);
+  EXPECT_GT(parallel_relation(wall, item_facing(turned(15), about_z(10)), usual_angles).likelihood,
+            0.2);
+  EXPECT_LT(parallel_relation(wall, item_facing(leaning, about_z(10)), usual_angles).likelihood,
+            0.1);
+  EXPECT_LT(parallel_relation(wall, item_facing(turned(15), about_z(1)), usual_angles).likelihood,
+            0.1);
 }
 
 TEST(AngleRelations, ARightAngleNeedsTheTiltInThePlaneOfBoth) {
   const Item wall = item_facing(turned(0), about_z(8));
   const Item floor = item_facing(Eigen::Vector3d::UnitZ(), Eigen::Matrix3d::Zero());
-  EXPECT_GT(orthogonal_relation(wall, floor, usual).likelihood, 0.99) << "turned, it stays upright";
-  EXPECT_LT(orthogonal_relation(wall, item_facing(turned(80), about_z(0)), usual).likelihood, 0.9);
+  EXPECT_GT(orthogonal_relation(wall, floor, usual_angles).likelihood, 0.99)
+      << "turned, it stays upright";
+  EXPECT_LT(orthogonal_relation(wall, item_facing(turned(80), about_z(0)), usual_angles).likelihood,
+            0.9);
 }
 
 TEST(AngleRelations, SumToAtMostOne) {
@@ -50,8 +55,8 @@ TEST(AngleRelations, SumToAtMostOne) {
   for (int i = 0; i < 500; ++i) {
     const Item a = item_facing(turned(0), about_z(random.uniform(0, 30)));
     const Item b = item_facing(turned(random.uniform(0, 90)), about_z(random.uniform(0, 30)));
-    const double sum =
-        parallel_relation(a, b, usual).likelihood + orthogonal_relation(a, b, usual).likelihood;
+    const double sum = parallel_relation(a, b, usual_angles).likelihood +
+                       orthogonal_relation(a, b, usual_angles).likelihood;
     EXPECT_LE(sum, 1.002);  // each is rounded up a little where hardly anything is known
     EXPECT_GE(sum, 0.0);
   }
@@ -88,7 +93,7 @@ TEST(AngleRelations, AreCalibratedOnDirectionsOfRooms) {
     const Item other =
         item_facing(found, std::pow(radians(sigma), 2) *
                                (Eigen::Matrix3d::Identity() - found * found.transpose()));
-    const double p = parallel_relation(wall, other, usual).likelihood;
+    const double p = parallel_relation(wall, other, usual_angles).likelihood;
     if (p < 0.05) continue;
     const auto bin = static_cast<std::size_t>(std::min(9.0, 10.0 * p));
     said[bin] += p;

@@ -15,12 +15,12 @@ std::vector<Item> items(const std::vector<test::Plate>& plates) {
 }
 
 // Front (towards -y), side (towards -x) and top of a box of 0.6 x 0.4 x 0.8 m at the origin.
-const test::Plate front{{0.3, 0.0, 0.4}, {0, 1, 0}, {1, 0, 0}, 0.6, 0.8};
-const test::Plate side{{0.0, 0.2, 0.4}, {1, 0, 0}, {0, 1, 0}, 0.4, 0.8};
-const test::Plate top{{0.3, 0.2, 0.8}, {0, 0, 1}, {1, 0, 0}, 0.6, 0.4};
+const test::Plate front_face{{0.3, 0.0, 0.4}, {0, 1, 0}, {1, 0, 0}, 0.6, 0.8};
+const test::Plate side_face{{0.0, 0.2, 0.4}, {1, 0, 0}, {0, 1, 0}, 0.4, 0.8};
+const test::Plate top_face{{0.3, 0.2, 0.8}, {0, 0, 1}, {1, 0, 0}, 0.6, 0.4};
 
 TEST(OuterEdge, JoinsTheFacesOfABox) {
-  const auto box = items({front, side, top});
+  const auto box = items({front_face, side_face, top_face});
   for (const auto& a : box) {
     for (const auto& b : box) {
       if (a.id == b.id) continue;
@@ -32,7 +32,7 @@ TEST(OuterEdge, JoinsTheFacesOfABox) {
 
 TEST(OuterEdge, InsideARoomThereIsNone) {
   // The same three planes seen from within the box are the corner of a room.
-  const auto room = items({front, side, top});
+  const auto room = items({front_face, side_face, top_face});
   for (const auto& a : room) {
     for (const auto& b : room) {
       if (a.id != b.id) {
@@ -47,7 +47,7 @@ TEST(OuterEdge, WhatSticksOutOrStandsApartIsNoBody) {
   const test::Plate board{{-0.3, 0.2, 0.4}, {0, 0, 1}, {1, 0, 0}, 0.6, 0.3};
   const test::Plate screen{{0.3, 0.2, 0.97}, {0, 1, 0}, {1, 0, 0}, 0.5, 0.3};
   const test::Plate apart{{-0.3, 0.2, 0.4}, {1, 0, 0}, {0, 1, 0}, 0.4, 0.8};
-  const auto all = items({side, board, top, screen, front, apart});
+  const auto all = items({side_face, board, top_face, screen, front_face, apart});
   EXPECT_LT(outer_edge(all[0], all[1], viewer).likelihood, 0.05);
   EXPECT_LT(outer_edge(all[2], all[3], viewer).likelihood, 0.05);
   EXPECT_LT(outer_edge(all[4], all[5], viewer).likelihood, 0.05);
@@ -55,7 +55,7 @@ TEST(OuterEdge, WhatSticksOutOrStandsApartIsNoBody) {
 
 TEST(Cornered, IsTheBestOfAllEdges) {
   const test::Plate floor{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 6.0, 6.0};
-  const auto all = items({floor, front, side, top});
+  const auto all = items({floor, front_face, side_face, top_face});
   Surrounding around;
   around.viewpoint = viewer;
   for (const auto& item : all) {
@@ -70,7 +70,7 @@ TEST(Cornered, IsTheBestOfAllEdges) {
 }
 
 TEST(Cornered, CannotBeToldWithoutAViewpoint) {
-  const auto all = items({front, side});
+  const auto all = items({front_face, side_face});
   EXPECT_EQ(cornered(all, all[0], {}).likelihood, 0.5);
 }
 
@@ -81,16 +81,18 @@ TEST(OuterEdge, TurnsAndMovesWithTheBody) {
     Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
     T.linear() = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
     T.translation() = Eigen::Vector3d(random.uniform(-5, 5), random.uniform(-5, 5), 0.0);
-    auto plates = std::vector<test::Plate>{front, side};
+    auto plates = std::vector<test::Plate>{front_face, side_face};
     for (auto& plate : plates) {
       plate.center = T * plate.center;
       plate.normal = T.linear() * plate.normal * (random.chance(0.5) ? 1.0 : -1.0);
       plate.along = T.linear() * plate.along;
     }
     const auto moved = items(plates);
-    EXPECT_NEAR(outer_edge(moved[0], moved[1], T * viewer).likelihood,
-                outer_edge(items({front, side})[0], items({front, side})[1], viewer).likelihood,
-                1e-6);
+    EXPECT_NEAR(
+        outer_edge(moved[0], moved[1], T * viewer).likelihood,
+        outer_edge(items({front_face, side_face})[0], items({front_face, side_face})[1], viewer)
+            .likelihood,
+        1e-6);
   }
 }
 

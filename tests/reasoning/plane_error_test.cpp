@@ -12,7 +12,7 @@
 namespace scanchor {
 namespace {
 
-const RelationModel usual;  // whatever was fitted
+const RelationModel usual_tilts;  // whatever was fitted
 
 /// A strip 60 cm high and `width` wide, 3 m from the sensor, turned by `turn` about the vertical,
 /// with noise along the beams.
@@ -59,7 +59,7 @@ TEST(PlaneError, CoversWhatNoiseAlongTheBeamsDoesToANarrowStrip) {
     const Strip s = strip(0.05, 0.3, 0.02, 100 + static_cast<std::uint64_t>(i));
     const Surface& surface = s.surfaces.surfaces[0];
     if (tilt(s) > 3.0 * said(surface.plane.normal_covariance)) ++missed_by_fit;
-    if (tilt(s) > 3.0 * said(plane_error(surface, s.surfaces, usual))) ++missed;
+    if (tilt(s) > 3.0 * said(plane_error(surface, s.surfaces, usual_tilts))) ++missed;
   }
   // The fit across the plane turns to the beam and is sure of it.
   EXPECT_GT(missed_by_fit, strips / 10);
@@ -70,31 +70,31 @@ TEST(PlaneError, LeavesALargeFaceNearlyAsItWas) {
   const Strip s = strip(2.0, 0.3, 0.01, 7);
   const Surface& surface = s.surfaces.surfaces[0];
   const double fit = said(surface.plane.normal_covariance);
-  EXPECT_GT(said(plane_error(surface, s.surfaces, usual)), fit);
-  EXPECT_LT(said(plane_error(surface, s.surfaces, usual)), 2.0 * fit);
+  EXPECT_GT(said(plane_error(surface, s.surfaces, usual_tilts)), fit);
+  EXPECT_LT(said(plane_error(surface, s.surfaces, usual_tilts)), 2.0 * fit);
 }
 
 TEST(PlaneError, DoubtsWhatIsBentOrScattersMoreThanTheSensor) {
   Strip s = strip(0.4, 0.3, 0.01, 8);
-  const double plain = said(plane_error(s.surfaces.surfaces[0], s.surfaces, usual));
+  const double plain = said(plane_error(s.surfaces.surfaces[0], s.surfaces, usual_tilts));
   s.surfaces.surfaces[0].confidence = 0.2;
-  EXPECT_GT(said(plane_error(s.surfaces.surfaces[0], s.surfaces, usual)), 1.5 * plain);
+  EXPECT_GT(said(plane_error(s.surfaces.surfaces[0], s.surfaces, usual_tilts)), 1.5 * plain);
   s.surfaces.surfaces[0].confidence = 1.0;
   s.surfaces.noise_sigma = 0.005;  // half of what the points show
-  EXPECT_GT(said(plane_error(s.surfaces.surfaces[0], s.surfaces, usual)), 3.0 * plain);
+  EXPECT_GT(said(plane_error(s.surfaces.surfaces[0], s.surfaces, usual_tilts)), 3.0 * plain);
 }
 
 TEST(PlaneError, TakesAnExactPlaneForExact) {
   Surfaces surfaces;
   Surface surface;
   surface.inlier_count = 100;
-  EXPECT_EQ(plane_error(surface, surfaces, usual), Eigen::Matrix3d::Zero());
+  EXPECT_EQ(plane_error(surface, surfaces, usual_tilts), Eigen::Matrix3d::Zero());
 }
 
 TEST(PlaneError, LiesAcrossTheNormal) {
   const Strip s = strip(0.05, 0.8, 0.02, 9);
   const Surface& surface = s.surfaces.surfaces[0];
-  const Eigen::Matrix3d error = plane_error(surface, s.surfaces, usual);
+  const Eigen::Matrix3d error = plane_error(surface, s.surfaces, usual_tilts);
   EXPECT_LT((error * surface.plane.normal).norm(), 1e-12);
   EXPECT_LT((error - error.transpose()).norm(), 1e-12);
 }
