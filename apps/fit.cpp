@@ -8,9 +8,8 @@
 #include <map>
 
 #include "apps/command.hpp"
+#include "apps/training_rooms.hpp"
 #include "core/data_folder.hpp"
-#include "core/parallel.hpp"
-#include "core/progress.hpp"
 #include "eval/run.hpp"
 #include "reasoning/fit.hpp"
 #include "reasoning/reference_rooms.hpp"
@@ -84,39 +83,15 @@ int run_fit(FitArguments& arguments) {
   part.split = "train";
   part.scenes = arguments.scenes;
   const auto tasks = tasks_of(suite, part);
-  if (tasks.empty()) {
-    throw Error(ExitCode::nothing_measured,
-                "suite " + suite.name + " has no training rooms; name one with more scenes");
-  }
-
-  std::vector<std::vector<TrainingScene>> made(tasks.size());
-  {
-    Progress progress("rooms", tasks.size(),
-                      {.quiet = arguments.common.quiet || arguments.common.json});
-    parallel_blocks(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        if (interrupted) return;
-        for (const auto& scan : make_scene(tasks[i], suite.scans).scans) {
-          TrainingScene scene;
-          scene.surfaces = perceive(scan.cloud, arguments.perceive);
-          scene.classes = true_names(scan, scene.surfaces);
-          made[i].push_back(std::move(scene));
-        }
-        progress.add();
-      }
-    });
-  }
-  if (interrupted)
-    throw Error(ExitCode::nothing_measured,
-                "interrupted before all rooms were seen; nothing was written");
-  std::vector<TrainingScene> scenes;
+  const auto scenes = look_at_scans(tasks, suite, arguments.common, "rooms",
+                                    [&](const MadeScene&, const Scan& scan) {
+                                      TrainingScene scene;
+                                      scene.surfaces = perceive(scan.cloud, arguments.perceive);
+                                      scene.classes = true_names(scan, scene.surfaces);
+                                      return scene;
+                                    });
   std::size_t surfaces = 0;
-  for (auto& room : made) {
-    for (auto& scene : room) {
-      surfaces += scene.surfaces.surfaces.size();
-      scenes.push_back(std::move(scene));
-    }
-  }
+  for (const auto& scene : scenes) surfaces += scene.surfaces.surfaces.size();
 
   const std::string fitted_on =
       fmt::format("{}: {} rooms of the training part, {} scans, {} surfaces", suite.name,

@@ -6,9 +6,8 @@
 #include <map>
 
 #include "apps/command.hpp"
+#include "apps/training_rooms.hpp"
 #include "core/data_folder.hpp"
-#include "core/parallel.hpp"
-#include "core/progress.hpp"
 #include "eval/relation_training.hpp"
 #include "eval/run.hpp"
 #include "sensors/suite.hpp"
@@ -37,32 +36,10 @@ std::vector<RelationScene> look_at(const Suite& suite, const Arguments& argument
     one.lidar.range_sigma = 0.01 * noise;
     for (auto& task : tasks_of(one, part)) tasks.push_back(std::move(task));
   }
-  if (tasks.empty()) {
-    throw Error(ExitCode::nothing_measured,
-                "suite " + suite.name + " has no training rooms; name one with more scenes");
-  }
-  std::vector<std::vector<RelationScene>> made(tasks.size());
-  Progress progress("scans", tasks.size(),
-                    {.quiet = arguments.common.quiet || arguments.common.json});
-  parallel_blocks(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (interrupted) return;
-      const MadeScene room = make_scene(tasks[i], suite.scans);
-      for (const auto& scan : room.scans) {
-        made[i].push_back(
-            relation_scene(scan, room.scene, Protocol{}, arguments.perceive, arguments.reason));
-      }
-      progress.add();
-    }
-  });
-  if (interrupted)
-    throw Error(ExitCode::nothing_measured,
-                "interrupted before all rooms were seen; nothing was written");
-  std::vector<RelationScene> scenes;
-  for (auto& room : made) {
-    for (auto& scene : room) scenes.push_back(std::move(scene));
-  }
-  return scenes;
+  return look_at_scans(
+      tasks, suite, arguments.common, "scans", [&](const MadeScene& room, const Scan& scan) {
+        return relation_scene(scan, room.scene, Protocol{}, arguments.perceive, arguments.reason);
+      });
 }
 
 int run_fit_relations(Arguments& arguments) {

@@ -1,10 +1,9 @@
 #include "eval/relation_training.hpp"
 
-#include "core/math.hpp"
 #include "eval/plane_relations.hpp"
 #include "eval/planes.hpp"
 #include "eval/truth.hpp"
-#include "reasoning/up.hpp"
+#include "reasoning/levelled.hpp"
 
 namespace scanchor {
 
@@ -23,12 +22,10 @@ RelationScene relation_scene(const Scan& scan, const Scene& scene, const Protoco
   made.surfaces = perceive(scan.cloud, perceive_options);
   PlaneMatch match;
   score_planes(truth.plane, truth.ignored_planes, made.surfaces.plane_of_point, protocol, &match);
-  const UpDirection up =
-      find_up(made.surfaces, reason_options.up, radians(reason_options.up_sigma_deg));
-  made.R_level_cloud = levelling(up.up);
+  const Levelled levelled = level(made.surfaces, reason_options);
+  made.R_level_cloud = levelled.R_level_cloud;
   made.items = make_items(made.surfaces, made.R_level_cloud);
-  made.around.up_sigma = up.sigma;
-  made.around.viewpoint = Eigen::Vector3d::Zero();  // a scan's cloud has its sensor at the origin
+  made.around = levelled.around;
 
   // The usual constants, so that what is looked at does not depend on the file in use.
   static const RelationModel usual;

@@ -16,26 +16,10 @@ namespace {
 
 constexpr double negligible = 1e-4;
 
-/// The class above: what it is a kind of, else what it is a part of. Who sees a piece of a wall
-/// sees a wall.
-int class_above(const Ontology& ontology, int c) {
-  const auto& description = ontology.classes[c];
-  if (!description.parent.empty()) return ontology.find(description.parent);
-  return description.part_of.empty() ? -1 : ontology.find(description.part_of);
-}
-
-bool is_ancestor(const Ontology& ontology, int ancestor, int c) {
-  for (std::size_t steps = 0; c >= 0 && steps <= ontology.classes.size(); ++steps) {
-    if (c == ancestor) return true;
-    c = class_above(ontology, c);
-  }
-  return false;
-}
-
 bool related(const Ontology& ontology, const std::string& a, const std::string& b) {
   const int i = ontology.find(a);
   const int j = ontology.find(b);
-  return i >= 0 && j >= 0 && (is_ancestor(ontology, i, j) || is_ancestor(ontology, j, i));
+  return i >= 0 && j >= 0 && are_akin(ontology, i, j);
 }
 
 struct Scored {
@@ -282,9 +266,9 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
     }
     return false;
   };
-  for (bool changed = true; changed;) {
-    changed = false;
-    std::vector<std::pair<std::size_t, int>> orphans;
+  std::vector<std::pair<std::size_t, int>> orphans;
+  do {
+    orphans.clear();
     for (std::size_t i = 0; i < matcher.surface_count(); ++i) {
       const int c = find(entities[i].label);
       if (c < 0 || ontology.classes[c].part_of.empty() || entities[i].whole >= 0) continue;
@@ -293,9 +277,8 @@ void assign_labels(const Matcher& matcher, const Surfaces& surfaces, const Ontol
     for (const auto& [i, c] : orphans) {
       std::erase_if(scored[i], [&](const Scored& s) { return s.class_index == c; });
       judge(entities[i]);
-      changed = true;
     }
-  }
+  } while (!orphans.empty());
 
   gather_faces(matcher, ontology, labelling);
 }

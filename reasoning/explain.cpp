@@ -47,11 +47,6 @@ const Entity& entity_of(const Labelling& labelling, std::int32_t id) {
   return labelling.entities[static_cast<std::size_t>(id)];
 }
 
-std::string with_article(const std::string& noun) {
-  return (std::string_view("aeiou").find(noun.front()) != std::string_view::npos ? "an " : "a ") +
-         noun;
-}
-
 void explain_clause(const ProofClause& clause, const std::string& indent,
                     const std::set<std::int32_t>& done, std::vector<std::int32_t>& next,
                     std::string& out) {

@@ -5,11 +5,10 @@
 #include <map>
 
 #include "core/error.hpp"
-#include "core/math.hpp"
 #include "reasoning/fit_weights.hpp"
 #include "reasoning/item.hpp"
+#include "reasoning/levelled.hpp"
 #include "reasoning/matcher.hpp"
-#include "reasoning/up.hpp"
 
 namespace scanchor {
 
@@ -36,13 +35,8 @@ struct ClauseCount {
 };
 
 Matcher match(const Ontology& ontology, const TrainingScene& scene, const ReasonOptions& options) {
-  const UpDirection up = find_up(scene.surfaces, options.up, radians(options.up_sigma_deg));
-  const Eigen::Matrix3d R = levelling(up.up);
-  Surrounding around;
-  around.up_sigma = up.sigma;
-  if (!scene.surfaces.sensor_positions.empty())
-    around.viewpoint = R * scene.surfaces.sensor_positions.front();
-  Matcher matcher(ontology, make_items(scene.surfaces, R), around);
+  const Levelled levelled = level(scene.surfaces, options);
+  Matcher matcher(ontology, make_items(scene.surfaces, levelled.R_level_cloud), levelled.around);
   matcher.run();
   return matcher;
 }
@@ -54,7 +48,7 @@ class Truth {
  public:
   Truth(const Ontology& ontology, const Matcher& matcher, const TrainingScene& scene) {
     for (const auto& item : matcher.items()) {
-      const std::string name = item.group ? most_of(matcher, item, scene)
+      const std::string name = item.group ? name_of_most(matcher, item, scene.classes)
                                           : scene.classes[static_cast<std::size_t>(item.id)];
       of_item.push_back(name.empty() ? -1 : nearest(ontology, matcher, ontology.find(name), item));
     }
@@ -85,23 +79,6 @@ class Truth {
       }
     }
     return best;
-  }
-
-  /// A book among the boards makes no other thing of a shelf: the name of more than half of the
-  /// members' area; "" where there is none.
-  static std::string most_of(const Matcher& matcher, const Item& group,
-                             const TrainingScene& scene) {
-    std::map<std::string, double> area;
-    double all = 0.0;
-    for (const auto m : group.members) {
-      const double own = matcher.items()[static_cast<std::size_t>(m)].area.value;
-      area[scene.classes[static_cast<std::size_t>(m)]] += own;
-      all += own;
-    }
-    for (const auto& [name, own] : area) {
-      if (2.0 * own > all) return name;
-    }
-    return "";
   }
 };
 
@@ -209,6 +186,21 @@ WeighedExample weigh(const Ontology& ontology, const Parameters& parameters, con
 }
 
 }  // namespace
+
+std::string name_of_most(const Matcher& matcher, const Item& group,
+                         const std::vector<std::string>& classes) {
+  std::map<std::string, double> area;
+  double all = 0.0;
+  for (const auto m : group.members) {
+    const double own = matcher.items()[static_cast<std::size_t>(m)].area.value;
+    area[classes[static_cast<std::size_t>(m)]] += own;
+    all += own;
+  }
+  for (const auto& [name, own] : area) {
+    if (2.0 * own > all) return name;
+  }
+  return "";
+}
 
 Background fit_backgrounds(const Ontology& ontology, const std::vector<TrainingScene>& scenes,
                            const ReasonOptions& options, const std::string& fitted_on) {

@@ -11,6 +11,9 @@
 
 namespace scanchor {
 
+class Matcher;
+struct Item;
+
 /// One training scene: what was perceived, and by somebody who may know, what each surface truly
 /// is.
 struct TrainingScene {
@@ -18,6 +21,11 @@ struct TrainingScene {
   std::vector<std::string>
       classes;  ///< true class name of each surface; "" for surfaces that are of no single thing
 };
+
+/// A book among the boards makes no other thing of a shelf: the name of more than half of the area
+/// of a group's members, of the `classes` of surfaces; "" where there is none.
+std::string name_of_most(const Matcher& matcher, const Item& group,
+                         const std::vector<std::string>& classes);
 
 /// Hit rate, background and weight of every clause, and priors (fit_weights.hpp). `fitted_on`:
 /// stored as it is, say which suite and which seeds. Deterministic; scenes are taken in their

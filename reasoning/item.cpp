@@ -84,6 +84,10 @@ void finish(Item& item) {
 
 double Footprint::area() const { return 4.0 * std::abs(u.x() * v.y() - u.y() * v.x()); }
 
+double tilt_sigma_of(const Eigen::Matrix3d& normal_covariance) {
+  return std::sqrt(std::max(0.0, 0.5 * normal_covariance.trace()));
+}
+
 Eigen::Matrix3d levelling(const Eigen::Vector3d& up) {
   // Eigen's FromTwoVectors with the one case spelt out that it needs a singular value decomposition
   // for: that template is two thirds of the time to build this file.
@@ -147,7 +151,7 @@ std::vector<Item> make_items(const Surfaces& surfaces, const Eigen::Matrix3d& R)
     const auto& rectangle = surface.rectangle;
     item.normal = R * plane.normal;
     item.normal_covariance = R * plane_error(surface, surfaces) * R.transpose();
-    item.tilt_sigma = std::sqrt(std::max(0.0, 0.5 * item.normal_covariance.trace()));
+    item.tilt_sigma = tilt_sigma_of(item.normal_covariance);
     item.offset_sigma = plane.centroid_sigma;
     item.centroid = R * plane.centroid;
     const double hidden = std::clamp(surface.occluded_outline, 0.05, 0.95);

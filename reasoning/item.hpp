@@ -68,6 +68,9 @@ std::vector<std::int32_t> first_of_twins(const std::vector<Item>& items);
 /// One item a surface, in the same order, ids from 0.
 std::vector<Item> make_items(const Surfaces& surfaces, const Eigen::Matrix3d& R_level_cloud);
 
+/// [rad] deviation of each of the two tilts of a normal, of its covariance.
+double tilt_sigma_of(const Eigen::Matrix3d& normal_covariance);
+
 /// The box around some items, its sides along those of the first (largest) one; z up. Members
 /// lowest first.
 Item make_group(const std::vector<Item>& items, std::vector<std::int32_t> members, std::int32_t id);

@@ -38,35 +38,8 @@ std::vector<double> scores_of_others(const Ontology& ontology, const Matcher& ma
 
 /// The name of an item; of a group that of most of its members' area.
 std::string name_of(const Matcher& matcher, const ReferenceRoom& room, const Item& item) {
-  if (!item.group) return room.classes[static_cast<std::size_t>(item.id)];
-  std::map<std::string, double> area;
-  double all = 0.0;
-  for (const auto m : item.members) {
-    const double own = matcher.items()[static_cast<std::size_t>(m)].area.value;
-    area[room.classes[static_cast<std::size_t>(m)]] += own;
-    all += own;
-  }
-  for (const auto& [name, own] : area) {
-    if (2.0 * own > all) return name;
-  }
-  return "";
-}
-
-/// May what is truly `truth` be of the class? Its kinds, what it is a kind or a part of.
-bool akin(const Ontology& ontology, int class_index, int truth) {
-  const auto above = [&](int c) {
-    const auto& described = ontology.classes[static_cast<std::size_t>(c)];
-    const std::string& name = described.parent.empty() ? described.part_of : described.parent;
-    return name.empty() ? -1 : ontology.find(name);
-  };
-  for (const auto& [low, high] : {std::pair(class_index, truth), std::pair(truth, class_index)}) {
-    int from = low;
-    for (std::size_t step = 0; from >= 0 && step <= ontology.classes.size(); ++step) {
-      if (from == high) return true;
-      from = above(from);
-    }
-  }
-  return false;
+  return item.group ? name_of_most(matcher, item, room.classes)
+                    : room.classes[static_cast<std::size_t>(item.id)];
 }
 
 /// What the weighed clauses say of a thing of the class, on the average.
@@ -151,7 +124,7 @@ void count_rates(Ontology& ontology, const std::vector<int>& classes,
         if (item.group && !candidate) continue;
         if (!item.group) {
           const int truth = ontology.find(rooms[r].classes[static_cast<std::size_t>(item.id)]);
-          if (truth >= 0 && akin(ontology, c, truth)) continue;
+          if (truth >= 0 && are_akin(ontology, c, truth)) continue;
         }
         for (std::size_t i = 0; i < clauses.size(); ++i) {
           if (clauses[i].usually && !candidate) continue;
@@ -184,7 +157,7 @@ std::map<int, std::vector<Rival>> find_rivals(const Ontology& ontology,
         const auto i = static_cast<std::size_t>(candidate.item);
         std::string name = name_of(matcher, rooms[r], matcher.items()[i]);
         const int truth = ontology.find(name);
-        if (truth >= 0 && truth != c && akin(ontology, c, truth)) continue;
+        if (truth >= 0 && truth != c && are_akin(ontology, c, truth)) continue;
         if (truth >= 0 && truth != c) name.clear();
         double evidence = 0.0;
         for (const auto& clause : clauses) {

@@ -208,6 +208,24 @@ std::vector<int> with_parents(const Ontology& ontology, int class_index) {
   return line;
 }
 
+int class_above(const Ontology& ontology, int c) {
+  const auto& description = ontology.classes[c];
+  if (!description.parent.empty()) return ontology.find(description.parent);
+  return description.part_of.empty() ? -1 : ontology.find(description.part_of);
+}
+
+bool is_ancestor(const Ontology& ontology, int ancestor, int c) {
+  for (std::size_t steps = 0; c >= 0 && steps <= ontology.classes.size(); ++steps) {
+    if (c == ancestor) return true;
+    c = class_above(ontology, c);
+  }
+  return false;
+}
+
+bool are_akin(const Ontology& ontology, int a, int b) {
+  return is_ancestor(ontology, a, b) || is_ancestor(ontology, b, a);
+}
+
 bool only_a_member(const Ontology& ontology, int class_index) {
   const auto& description = ontology.classes[class_index];
   if (description.part_of.empty()) return false;

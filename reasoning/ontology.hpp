@@ -175,6 +175,14 @@ std::vector<int> evaluation_order(const Ontology& ontology);
 /// The class and the classes it is a kind of, the most general one first.
 std::vector<int> with_parents(const Ontology& ontology, int class_index);
 
+/// The class above: what it is a kind of, else what it is a part of; -1: none. Who sees a piece of
+/// a wall sees a wall.
+int class_above(const Ontology& ontology, int class_index);
+/// Is it the class, or above it?
+bool is_ancestor(const Ontology& ontology, int ancestor, int class_index);
+/// Is one of the two the other, or above it?
+bool are_akin(const Ontology& ontology, int a, int b);
+
 /// A part that only a group of its whole holds together (a board of a shelf, an end of the frame of
 /// a desk): nothing by itself, it counts through the group.
 bool only_a_member(const Ontology& ontology, int class_index);

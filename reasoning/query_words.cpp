@@ -11,11 +11,8 @@ namespace {
 constexpr std::array<std::string_view, 10> ordinals = {
     "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth"};
 
-std::string with_article(const std::string& noun, bool definite) {
-  if (definite) return "the " + noun;
-  const bool vowel =
-      !noun.empty() && std::string_view("aeiou").find(noun.front()) != std::string_view::npos;
-  return (vowel ? "an " : "a ") + noun;
+std::string named(const std::string& noun, bool definite) {
+  return definite ? "the " + noun : with_article(noun);
 }
 
 /// "chairs near a desk", without an article.
@@ -187,11 +184,10 @@ std::string ref_text(const QueryRef& ref) {
     noun = (ref.place > 1 ? ordinal_word(ref.place) + " " : "") + ref.name +
            (own.empty() ? " " : " (" + own + ") ") + rank_text(first) +
            (ref.rank == RankKey::farthest ? " from " : " to ") + closed_text(ref.rank_to.front());
-    return with_article(noun, true);
+    return named(noun, true);
   }
   const std::string said = clauses_text(ref);
-  return with_article(noun, ref.definite || ref.rank.has_value()) +
-         (said.empty() ? "" : " " + said);
+  return named(noun, ref.definite || ref.rank.has_value()) + (said.empty() ? "" : " " + said);
 }
 
 std::string query_text(const Query& query) {

@@ -1,12 +1,11 @@
 #include "reasoning/reason.hpp"
 
 #include "core/error.hpp"
-#include "core/math.hpp"
 #include "reasoning/assign.hpp"
 #include "reasoning/item.hpp"
+#include "reasoning/levelled.hpp"
 #include "reasoning/matcher.hpp"
 #include "reasoning/paper_mode.hpp"
-#include "reasoning/up.hpp"
 
 namespace scanchor {
 
@@ -34,7 +33,8 @@ Labelling reason(const Surfaces& surfaces, const Ontology& ontology, const Reaso
                         surface.plane.normal.norm() > 0.5;
     if (!finite) fail_data("surfaces", "surface " + std::to_string(i), "its plane is not finite");
   }
-  const UpDirection up = find_up(surfaces, options.up, radians(options.up_sigma_deg));
+  const Levelled levelled = level(surfaces, options);
+  const UpDirection& up = levelled.up;
   if (options.mode == "paper") return reason_as_paper(surfaces, ontology, options, up);
 
   Labelling labelling;
@@ -42,13 +42,9 @@ Labelling reason(const Surfaces& surfaces, const Ontology& ontology, const Reaso
   labelling.ontology = ontology.name;
   labelling.up = up.up;
   labelling.up_sigma = up.sigma;
-  const Eigen::Matrix3d R_level_cloud = levelling(up.up);
-  Surrounding around;
-  around.up_sigma = up.sigma;
-  if (!surfaces.sensor_positions.empty())
-    around.viewpoint = R_level_cloud * surfaces.sensor_positions.front();
 
-  Matcher matcher(ontology, make_items(surfaces, R_level_cloud), around);
+  const Eigen::Matrix3d& R_level_cloud = levelled.R_level_cloud;
+  Matcher matcher(ontology, make_items(surfaces, R_level_cloud), levelled.around);
   matcher.run();
   assign_labels(matcher, surfaces, ontology, options, R_level_cloud.transpose(), up.upright,
                 labelling);

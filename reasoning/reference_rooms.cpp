@@ -6,8 +6,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/json.hpp"
-#include "core/math.hpp"
-#include "reasoning/up.hpp"
+#include "reasoning/levelled.hpp"
 
 namespace scanchor {
 
@@ -84,7 +83,7 @@ Item from_numbers(const JsonReader& numbers, std::int32_t id) {
   const Eigen::Vector3d &a = item.along, &b = item.across;
   item.normal_covariance = aa * a * a.transpose() + bb * b * b.transpose() +
                            ab * (a * b.transpose() + b * a.transpose());
-  item.tilt_sigma = std::sqrt(std::max(0.0, 0.5 * item.normal_covariance.trace()));
+  item.tilt_sigma = tilt_sigma_of(item.normal_covariance);
   item.has_shape = take(1.0) > 0.5;
   item.half_length = 0.5 * item.extension.value;
   item.half_width = 0.5 * item.width.value;
@@ -96,13 +95,10 @@ Item from_numbers(const JsonReader& numbers, std::int32_t id) {
 }  // namespace
 
 ReferenceRoom make_reference_room(const TrainingScene& scene, const ReasonOptions& options) {
-  const UpDirection up = find_up(scene.surfaces, options.up, radians(options.up_sigma_deg));
-  const Eigen::Matrix3d R = levelling(up.up);
+  const Levelled levelled = level(scene.surfaces, options);
   ReferenceRoom room;
-  room.around.up_sigma = up.sigma;
-  if (!scene.surfaces.sensor_positions.empty())
-    room.around.viewpoint = R * scene.surfaces.sensor_positions.front();
-  room.items = make_items(scene.surfaces, R);
+  room.around = levelled.around;
+  room.items = make_items(scene.surfaces, levelled.R_level_cloud);
   room.classes = scene.classes;
   return room;
 }

@@ -236,7 +236,7 @@ void use_model(RelationScene& scene, const RelationModel& model) {
     Item& item = scene.items[i];
     item.normal_covariance =
         R * plane_error(scene.surfaces.surfaces[i], scene.surfaces, model) * R.transpose();
-    item.tilt_sigma = std::sqrt(std::max(0.0, 0.5 * item.normal_covariance.trace()));
+    item.tilt_sigma = tilt_sigma_of(item.normal_covariance);
   }
 }
 

@@ -100,8 +100,7 @@ std::string article_before(const std::string& words) {
   for (const auto* article : {"a ", "an ", "the "}) {
     if (words.starts_with(article)) return words;
   }
-  const bool vowel = std::string_view("aeiou").find(words.front()) != std::string_view::npos;
-  return (vowel ? "an " : "a ") + words;
+  return with_article(words);
 }
 
 std::string write_this(const std::string& words) { return "write '" + words + "'"; }

@@ -110,6 +110,12 @@ std::string range_text(const Range& range) {
   return (range.strict ? "under " : "at most ") + number_text(range.high / scale) + tail;
 }
 
+std::string with_article(const std::string& noun) {
+  const bool vowel =
+      !noun.empty() && std::string_view("aeiou").find(noun.front()) != std::string_view::npos;
+  return (vowel ? "an " : "a ") + noun;
+}
+
 std::string pair_text(const RelationTerm& term) {
   if (term.relation == Relation::near && term.range.has_high())
     return range_text(term.range).replace(0, std::string_view("at most").size(), "within");

@@ -49,6 +49,9 @@ std::string number_text(double value);
 /// "boxes", "shelves"; Ontology::find knows the class by it.
 std::string plural(const std::string& noun);
 
+/// "a box", "an oven".
+std::string with_article(const std::string& noun);
+
 /// A relation of a pair in a group: "parallel", "within 2 m".
 std::string pair_text(const RelationTerm& term);
 

@@ -18,6 +18,12 @@ struct Slip {
 
 class ClauseSlip : public testing::TestWithParam<Slip> {};
 
+/// In the first line: where, and what to write instead.
+void expect_hint(const std::string& said, const std::string& line, const Slip& slip) {
+  EXPECT_EQ(said.rfind(line + std::to_string(slip.column) + ": ", 0), 0U) << said;
+  EXPECT_NE(said.substr(0, said.find('\n')).find(slip.hint), std::string::npos) << said;
+}
+
 TEST_P(ClauseSlip, IsMetWithAHint) {
   const std::string text =
       "class desk:\n    horizontal\nclass stool:\n    " + std::string(GetParam().clause) + "\n";
@@ -26,8 +32,7 @@ TEST_P(ClauseSlip, IsMetWithAHint) {
     FAIL() << "was read";
   } catch (const Error& error) {
     const std::string said = error.what();
-    EXPECT_EQ(said.rfind("own.sdl:4:" + std::to_string(GetParam().column) + ": ", 0), 0U) << said;
-    EXPECT_NE(said.substr(0, said.find('\n')).find(GetParam().hint), std::string::npos) << said;
+    expect_hint(said, "own.sdl:4:", GetParam());
     EXPECT_NE(said.find("\n  " + std::string(GetParam().column - 1, ' ') + "^"), std::string::npos)
         << said;
   }
@@ -73,8 +78,7 @@ TEST_P(QuestionSlip, IsMetWithAHint) {
     FAIL() << "was read";
   } catch (const Error& error) {
     const std::string said = error.what();
-    EXPECT_EQ(said.rfind("question:1:" + std::to_string(GetParam().column) + ": ", 0), 0U) << said;
-    EXPECT_NE(said.substr(0, said.find('\n')).find(GetParam().hint), std::string::npos) << said;
+    expect_hint(said, "question:1:", GetParam());
   }
 }
 
