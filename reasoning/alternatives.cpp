@@ -3,19 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math.hpp"
 #include "reasoning/background.hpp"
 #include "reasoning/join_surfaces.hpp"
+#include "reasoning/levelled.hpp"
 #include "reasoning/matcher.hpp"
 #include "reasoning/recut.hpp"
-#include "reasoning/up.hpp"
 
 namespace scanchor {
 
 namespace {
 
 constexpr int most_pieces = 6;
-constexpr int by_wide_gaps = -1;        // pieces: those between which wide gaps are
 constexpr double shortest_piece = 0.2;  // [m]
 constexpr double widest_shadow = 0.6;   // [m]
 const double prior_of_seam = std::log(0.3);
@@ -27,6 +25,19 @@ const double prior_of_join = std::log(0.3);
 // Of two things beside each other about one in ten has both sides in line; of one thing all have.
 const double in_line = std::log(10.0);
 constexpr double line_tolerance = 0.06;  // [m]
+
+enum class CutAt {
+  wide_gaps,  ///< where the outline falls apart by more than a shadow covers
+  outline,    ///< where it falls into pieces
+  inside      ///< where points thin out, or evenly
+};
+
+/// Positions of cuts along the longer side; none: not cut.
+struct Places {
+  std::vector<double> at;
+  double prior;
+  bool seams;  ///< something shows where one ends
+};
 
 /// ln of each class's weight against unknown, of each surface; what only a group holds together
 /// counts as the group.
@@ -61,11 +72,9 @@ class Reader {
   Reader(const Surfaces& surfaces, const PointCloud& cloud, const Ontology& ontology,
          const ReasonOptions& options)
       : surfaces_(surfaces), cloud_(cloud), ontology_(ontology) {
-    const UpDirection up = find_up(surfaces, options.up, radians(options.up_sigma_deg));
-    R_ = levelling(up.up);
-    around_.up_sigma = up.sigma;
-    if (!surfaces.sensor_positions.empty())
-      around_.viewpoint = R_ * surfaces.sensor_positions.front();
+    const Levelled levelled = level(surfaces, options);
+    R_ = levelled.R_level_cloud;
+    around_ = levelled.around;
     for (const auto& description : ontology.classes) {
       const int whole = description.part_of.empty() ? -1 : ontology.find(description.part_of);
       bool member = false;
@@ -89,9 +98,8 @@ class Reader {
 
   std::vector<Choice> choose() {
     std::vector<Choice> choices;
-    cut_all({by_wide_gaps}, choices);
-    cut_all({0}, choices);
-    cut_all({2, 3, 4, 5, most_pieces}, choices);
+    for (const CutAt where : {CutAt::wide_gaps, CutAt::outline, CutAt::inside})
+      cut_all(where, choices);
     join_all(choices);
     // The best first; what it reads anew is taken.
     std::stable_sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) {
@@ -136,28 +144,29 @@ class Reader {
   struct Cut {
     std::int32_t surface;
     double prior;
+    bool at_seams;
     std::size_t first, count;  ///< of its pieces among those added
   };
 
-  /// Where a surface is cut into so many pieces, 0: into those its outline falls into,
-  /// by_wide_gaps: by more than a shadow; empty: not.
-  [[nodiscard]] std::vector<double> cuts_of(const Surface& surface, int pieces,
-                                            double& prior) const {
+  /// `pieces`: how many, of cuts inside.
+  [[nodiscard]] Places places_of(const Surface& surface, CutAt where, int pieces) const {
+    if (where == CutAt::wide_gaps)
+      return {outline_cuts(surface, widest_shadow), prior_of_gap, true};
+    if (where == CutAt::outline) return {outline_cuts(surface, 0.0), prior_of_seam, true};
     const double length = surface.rectangle.length.value;
-    prior = pieces == by_wide_gaps ? prior_of_gap : prior_of_seam;
-    if (pieces <= 0) {
-      const auto seams = outline_seams(surface, pieces == by_wide_gaps ? widest_shadow : 0.0);
-      if (seams.size() >= most_pieces) return {};
-      return seams;
-    }
     // An outline that falls into other pieces says itself where things end.
     if (length < shortest_piece * pieces || !outline_seams(surface).empty()) return {};
     if (auto seams = find_seams(surface, cloud_.points, pieces, surfaces_.point_spacing))
-      return *seams;
-    prior = prior_of_even_cut;
+      return {*seams, prior_of_seam, true};
     std::vector<double> cuts;
     for (int k = 1; k < pieces; ++k) cuts.push_back(length * (k / double(pieces) - 0.5));
-    return cuts;
+    return {cuts, prior_of_even_cut, false};
+  }
+
+  [[nodiscard]] static std::vector<double> outline_cuts(const Surface& surface, double gap) {
+    auto seams = outline_seams(surface, gap);
+    if (seams.size() >= most_pieces) seams.clear();
+    return seams;
   }
 
   /// The most that a class can get from a piece, were all its relations satisfied; -infinity where
@@ -206,35 +215,36 @@ class Reader {
 
   /// Every surface that may be cut is, in one scene: they are each other's neighbours, as the
   /// boards of a rack are. Of several numbers of pieces the one that may get most is tried.
-  void cut_all(const std::vector<int>& numbers, std::vector<Choice>& choices) const {
+  void cut_all(CutAt where, std::vector<Choice>& choices) const {
+    const bool by_gaps = where == CutAt::wide_gaps;
+    const int fewest = where == CutAt::inside ? 2 : 0,
+              most_tried = where == CutAt::inside ? most_pieces : 0;
     std::vector<std::int32_t> removed;
     std::vector<Cut> cuts;
     std::vector<Surface> added;
     for (const auto& surface : surfaces_.surfaces) {
-      const bool by_gaps = numbers.front() == by_wide_gaps;
       if (surface.inliers.empty() || (!by_gaps && surface.rectangularness < 0.6)) continue;
       // What is likelier than not as it is does not compete: a wide desk is no two narrow ones.
       const auto& as_it_is = as_it_is_.of_class[surface.id];
       if (!by_gaps && as_it_is[as_it_is_.best(surface.id)] > 0.0) continue;
       std::vector<Surface> best;
-      double prior_of_best = 0.0;
+      Places best_places{};
       double most = -INFINITY;
-      for (const int pieces : numbers) {
-        double prior = 0.0;
-        const auto places = cuts_of(surface, pieces, prior);
-        if (places.empty()) continue;
-        auto parts = cut_surface(surface, cloud_.points, places);
+      for (int pieces = fewest; pieces <= most_tried; ++pieces) {
+        auto places = places_of(surface, where, pieces);
+        if (places.at.empty()) continue;
+        auto parts = cut_surface(surface, cloud_.points, places.at);
         if (!parts || (!by_gaps && !are_equal(*parts))) continue;
-        const bool at_seams = prior != prior_of_even_cut;
-        const double gain = most_of_all(*parts, at_seams) - as_it_is_.all(surface.id) + prior;
+        const double gain =
+            most_of_all(*parts, places.seams) - as_it_is_.all(surface.id) + places.prior;
         if (gain <= 0.0 || gain <= most) continue;
         most = gain;
         best = std::move(*parts);
-        prior_of_best = prior;
+        best_places = std::move(places);
       }
       if (best.empty()) continue;
       removed.push_back(surface.id);
-      cuts.push_back({surface.id, prior_of_best, added.size(), best.size()});
+      cuts.push_back({surface.id, best_places.prior, best_places.seams, added.size(), best.size()});
       for (auto& part : best) added.push_back(std::move(part));
     }
     if (removed.empty()) return;
@@ -260,7 +270,7 @@ class Reader {
       choice.removed = {cut.surface};
       choice.added.assign(added.begin() + static_cast<long>(cut.first),
                           added.begin() + static_cast<long>(cut.first + cut.count));
-      choice.alternative.kind = cut.prior != prior_of_even_cut ? "cut at seams" : "cut evenly";
+      choice.alternative.kind = cut.at_seams ? "cut at seams" : "cut evenly";
       choice.alternative.class_name = ontology_.classes[best_class].name();
       choice.alternative.log_ratio = gain;
       choice.alternative.log_prior = prior;

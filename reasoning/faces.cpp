@@ -13,6 +13,12 @@ constexpr double widest_gap = 0.4;  // [m]
 constexpr double thickest = 0.3;    // [m] reveals of windows are about as deep
 constexpr double least_turn = 0.8;  // cosine of the angle between layers
 
+/// [m] half of what an item covers along an axis.
+double half_along(const Item& item, const Eigen::Vector3d& axis) {
+  return std::abs(axis.dot(item.along)) * item.half_length +
+         std::abs(axis.dot(item.across)) * item.half_width;
+}
+
 /// The front and the back of one thing, a pane and its frame: one covers half of the other, or they
 /// go on where the other ends.
 bool are_layers(const Item& a, const Item& b) {
@@ -21,8 +27,7 @@ bool are_layers(const Item& a, const Item& b) {
     return false;
   if (a.box.exteriorDistance(b.box) < 0.05) return true;
   const auto covered = [&](const Eigen::Vector3d& axis, double half) {
-    const double reach =
-        std::abs(axis.dot(b.along)) * b.half_length + std::abs(axis.dot(b.across)) * b.half_width;
+    const double reach = half_along(b, axis);
     const double at = axis.dot(step);
     const double shared = std::min(half, at + reach) - std::max(-half, at - reach);
     return std::clamp(shared / (2.0 * std::min(half, reach) + 1e-9), 0.0, 1.0);
@@ -69,8 +74,7 @@ bool part_fits(const Matcher& matcher, int whole_class, std::int32_t whole, std:
   const Item& frame = items[whole];
   if (frame.group) return true;
   const Item& piece = items[part];
-  const double reach = std::abs(frame.along.dot(piece.along)) * piece.half_length +
-                       std::abs(frame.along.dot(piece.across)) * piece.half_width;
+  const double reach = half_along(piece, frame.along);
   const double at = frame.along.dot(piece.center - frame.center);
   const double length =
       std::max(frame.half_length, at + reach) - std::min(-frame.half_length, at - reach);

@@ -44,42 +44,39 @@ const std::vector<Clause>& clauses_that_need_nearness() {
   return clauses;
 }
 
-TEST(Reach, WhatIsOutOfReachHoldsNowhere) {
-  SequentialRandom random(5);
-  std::size_t out = 0;
+/// Calls visit(clause, a, b) for all pairs of some random scenes.
+template <class Visit>
+void each_pair(std::uint64_t seed, const Visit& visit) {
+  SequentialRandom random(seed);
   for (int round = 0; round < 8; ++round) {
     const auto items = random_items(random);
     for (const auto& clause : clauses_that_need_nearness()) {
       for (const auto& a : items) {
-        for (const auto& b : items) {
-          if (&a == &b || !out_of_reach(clause, a, b)) continue;
-          ++out;
-          EXPECT_LT(relate(clause.relations[0], a, b, {}).likelihood, 1e-5)
-              << "the gate is at 0.05";
-        }
+        for (const auto& b : items) visit(clause, a, b);
       }
     }
   }
+}
+
+TEST(Reach, WhatIsOutOfReachHoldsNowhere) {
+  std::size_t out = 0;
+  each_pair(5, [&](const Clause& clause, const Item& a, const Item& b) {
+    if (&a == &b || !out_of_reach(clause, a, b)) return;
+    ++out;
+    EXPECT_LT(relate(clause.relations[0], a, b, {}).likelihood, 1e-5) << "the gate is at 0.05";
+  });
   EXPECT_GT(out, 10000U);
 }
 
 TEST(Reach, WhatLiesFartherInPlanIsOutOfReach) {
-  SequentialRandom random(6);
   std::size_t farther = 0;
-  for (int round = 0; round < 8; ++round) {
-    const auto items = random_items(random);
-    for (const auto& clause : clauses_that_need_nearness()) {
-      for (const auto& a : items) {
-        const double reach = reach_of(clause, a);
-        for (const auto& b : items) {
-          if (reaches_far(b) || plan_gap(a, b) <= reach) continue;
-          ++farther;
-          EXPECT_TRUE(out_of_reach(clause, a, b));
-        }
-      }
-    }
-  }
+  each_pair(6, [&](const Clause& clause, const Item& a, const Item& b) {
+    if (reaches_far(b) || plan_gap(a, b) <= reach_of(clause, a)) return;
+    ++farther;
+    EXPECT_TRUE(out_of_reach(clause, a, b));
+  });
   EXPECT_GT(farther, 10000U);
+  SequentialRandom random(6);
   EXPECT_TRUE(std::isinf(reach_of(clause_of(Relation::parallel), random_items(random)[0])));
 }
 
