@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "core/parallel.hpp"
@@ -121,33 +122,35 @@ Eigen::Isometry3d principal_frame(const std::vector<Eigen::Vector3d>& points,
   return frame;
 }
 
-bool before(const Record& p, const Record& q) {
+// An object and no function: a call for each comparison would cost more than it.
+constexpr auto before = [](const Record& p, const Record& q) {
   if (p.code != q.code) return p.code < q.code;
   if (p.x != q.x) return p.x < q.x;
   if (p.y != q.y) return p.y < q.y;
   if (p.z != q.z) return p.z < q.z;
   return p.source < q.source;
-}
+};
 
-// Sorts records whose codes agree but for the last `bits`: by three levels of the octree at once,
-// until a handful is left.
+// Sorts records whose codes agree but for the last `bits`: by two or three levels of the octree at
+// once, until a handful is left.
 void sort_cell(Record* first, std::size_t n, int bits, Record* scratch) {
-  constexpr int step = 9;
+  constexpr int most = 9;
   if (n <= 24 || bits == 0) {
     std::sort(first, first + n, before);
     return;
   }
+  const int step = std::min(bits, n < 512 ? 6 : most);  // not many more bins than records
+  const std::size_t bins = std::size_t{1} << step;
   bits -= step;
-  const auto digit = [bits](const Record& r) { return r.code >> bits & ((1U << step) - 1U); };
-  std::array<std::uint32_t, (1U << step) + 1> start{};
-  for (std::size_t i = 0; i < n; ++i) ++start[digit(first[i]) + 1];
-  for (std::size_t d = 0; d < (1U << step); ++d) start[d + 1] += start[d];
-  auto next = start;
+  const auto digit = [&](const Record& r) { return r.code >> bits & (bins - 1U); };
+  std::array<std::uint32_t, 1U << most> next;  // where the next of a bin goes; then where it ends
+  std::fill_n(next.begin(), bins, 0U);
+  for (std::size_t i = 0; i < n; ++i) ++next[digit(first[i])];
+  std::exclusive_scan(next.begin(), next.begin() + bins, next.begin(), 0U);
   for (std::size_t i = 0; i < n; ++i) scratch[next[digit(first[i])]++] = first[i];
   std::copy(scratch, scratch + n, first);
-  for (std::size_t d = 0; d < (1U << step); ++d) {
-    const std::size_t size = start[d + 1] - start[d];
-    if (size > 1) sort_cell(first + start[d], size, bits, scratch);
+  for (std::size_t d = 0, start = 0; d < bins; start = next[d++]) {
+    if (next[d] - start > 1) sort_cell(first + start, next[d] - start, bits, scratch);
   }
 }
 

@@ -154,16 +154,18 @@ GrownPlane grown_plane(const Moments& moments, const MomentPlane& plane, const B
 }
 
 // A counting sort in a few blocks: `next` of a block and a plane is where the block's points of it
-// go.
-PlaneMembers::PlaneMembers(const std::vector<std::int32_t>& of_point, std::size_t planes)
-    : start_(planes + 1, 0) {
+// go. `runs` calls its last argument for pieces of a range that lie on one plane.
+template <class Runs>
+void PlaneMembers::gather(const std::vector<std::int32_t>& of_point, std::size_t planes,
+                          const Runs& runs) {
+  start_.resize(planes + 1);
   const std::size_t block = std::max<std::size_t>(16384, of_point.size() / 16 + 1);
   std::vector<std::vector<std::uint32_t>> next(of_point.size() / block + 1);
   parallel_blocks(of_point.size(), block, [&](std::size_t begin, std::size_t end) {
     std::vector<std::uint32_t> count(planes, 0);
-    for (std::size_t i = begin; i < end; ++i) {
-      if (of_point[i] >= 0) ++count[static_cast<std::size_t>(of_point[i])];
-    }
+    runs(begin, end, [&](std::size_t plane, std::size_t from, std::size_t to) {
+      count[plane] += static_cast<std::uint32_t>(to - from);
+    });
     next[begin / block] = std::move(count);
   });
   std::uint32_t sum = 0;
@@ -176,10 +178,31 @@ PlaneMembers::PlaneMembers(const std::vector<std::int32_t>& of_point, std::size_
   start_[planes] = sum;
   points_.resize(sum);
   parallel_blocks(of_point.size(), block, [&](std::size_t begin, std::size_t end) {
-    auto& to = next[begin / block];
+    auto& place = next[begin / block];
+    runs(begin, end, [&](std::size_t plane, std::size_t from, std::size_t to) {
+      auto* const first = points_.data() + place[plane];
+      for (std::size_t i = from; i < to; ++i) first[i - from] = static_cast<std::uint32_t>(i);
+      place[plane] += static_cast<std::uint32_t>(to - from);
+    });
+  });
+}
+
+// In the canonical order the points of a plane lie next to each other.
+PlaneMembers::PlaneMembers(const PlaneLabels& labels) {
+  const auto& of_point = labels.of_point;
+  gather(of_point, labels.planes.size(), [&](std::size_t begin, std::size_t end, const auto& run) {
+    for (std::size_t from = begin, to = begin; from < end; from = to) {
+      const auto plane = of_point[from];
+      while (to < end && of_point[to] == plane) ++to;
+      if (plane >= 0) run(static_cast<std::size_t>(plane), from, to);
+    }
+  });
+}
+
+PlaneMembers::PlaneMembers(const std::vector<std::int32_t>& of_point, std::size_t planes) {
+  gather(of_point, planes, [&](std::size_t begin, std::size_t end, const auto& run) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (of_point[i] >= 0)
-        points_[to[static_cast<std::size_t>(of_point[i])]++] = static_cast<std::uint32_t>(i);
+      if (of_point[i] >= 0) run(static_cast<std::size_t>(of_point[i]), i, i + 1);
     }
   });
 }

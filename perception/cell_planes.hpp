@@ -57,14 +57,15 @@ struct PlaneLabels {
 /// The points of each plane, rising.
 class PlaneMembers {
  public:
-  explicit PlaneMembers(const PlaneLabels& labels)
-      : PlaneMembers(labels.of_point, labels.planes.size()) {}
+  explicit PlaneMembers(const PlaneLabels& labels);
   PlaneMembers(const std::vector<std::int32_t>& of_point, std::size_t planes);
   [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t plane) const {
     return {points_.data() + start_[plane], points_.data() + start_[plane + 1]};
   }
 
  private:
+  template <class Runs>
+  void gather(const std::vector<std::int32_t>& of_point, std::size_t planes, const Runs& runs);
   std::vector<std::uint32_t> start_, points_;
 };
 

@@ -121,16 +121,18 @@ class Judge {
         1 + static_cast<std::uint32_t>(static_cast<double>(members_[r].size()) / enough);
     Profile wide, narrow;
     std::uint32_t leaves = 0;
-    std::vector<std::uint32_t> open(1, 0);
+    std::vector<std::uint32_t> open;
+    const auto look_at = [&](std::uint32_t at) {
+      if (may_reach(reach, grown, tree_.cells[at], balls_[at]) &&
+          footprint.near(balls_[at].middle, balls_[at].radius))
+        open.push_back(at);
+    };
+    look_at(0);
     while (!open.empty()) {
-      const auto at = open.back();
-      const Cell& cell = tree_.cells[at];
+      const Cell& cell = tree_.cells[open.back()];
       open.pop_back();
-      if (!may_reach(reach, grown, cell, balls_[at]) ||
-          !footprint.near(balls_[at].middle, balls_[at].radius))
-        continue;
       if (cell.children != 0) {
-        for (std::uint32_t c = 0; c < cell.children; ++c) open.push_back(cell.child + c);
+        for (std::uint32_t c = 0; c < cell.children; ++c) look_at(cell.child + c);
         continue;
       }
       if (leaves++ % stride != 0) continue;
@@ -139,6 +141,7 @@ class Judge {
         const bool own = label == static_cast<std::int32_t>(r);
         if (!own && label >= 0 && rank_[static_cast<std::size_t>(label)] < rank_[r]) {
           auto& trusted = verdict.trusted;
+          if (!trusted.empty() && trusted.back() == label) continue;
           if (std::find(trusted.begin(), trusted.end(), label) == trusted.end())
             trusted.push_back(label);
           continue;

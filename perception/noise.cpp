@@ -72,9 +72,20 @@ float nearest2(const CanonicalCloud& cloud, std::size_t i) {
     high[axis] =
         static_cast<int>(std::clamp((p[axis] + radius - cloud.low[axis]) * inverse, 0.0F, last));
   }
+  // How far a cell is from the point, less what rounding may do to its border.
+  const float side = cloud.cell_side(level), rounding = 2e-6F * cloud.side;
+  const auto gap2 = [&](int axis, int cell) {
+    const float low_side = cloud.low[axis] + static_cast<float>(cell) * side;
+    const float gap =
+        std::max({low_side - p[axis], p[axis] - low_side - side, rounding}) - rounding;
+    return gap * gap;
+  };
   for (int cx = low.x(); cx <= high.x(); ++cx) {
+    const float gap_x = gap2(0, cx);
     for (int cy = low.y(); cy <= high.y(); ++cy) {
+      const float gap_xy = gap_x + gap2(1, cy);
       for (int cz = low.z(); cz <= high.z(); ++cz) {
+        if (gap_xy + gap2(2, cz) > best) continue;
         const std::uint64_t prefix = spread_bits(static_cast<std::uint64_t>(cx)) << 2 |
                                      spread_bits(static_cast<std::uint64_t>(cy)) << 1 |
                                      spread_bits(static_cast<std::uint64_t>(cz));

@@ -68,9 +68,15 @@ PointPool point_pool(const CanonicalCloud& cloud, const CellTree& tree, const Pl
       const Cell& cell = pool.cell(l);
       coarse.clear();
       const auto first_region = static_cast<std::ptrdiff_t>(found.regions.size());
+      // Places in the flat cell that was met last lead to it again.
+      std::uint64_t last = 0;
+      int last_shift = -1;
       const auto touch = [&](std::uint64_t code) {
+        if (last_shift >= 0 && code >> last_shift == last) return;
         const auto flat = tree.find_near(path_in_tree, code, cell.level, taken);
         if (flat == CellTree::none || region_of_cell[flat] < 0) return;
+        last_shift = 3 * (CanonicalCloud::levels - tree.cells[flat].level);
+        last = code >> last_shift;
         if (std::find(found.regions.begin() + first_region, found.regions.end(),
                       region_of_cell[flat]) == found.regions.end())
           found.regions.push_back(region_of_cell[flat]);

@@ -20,6 +20,7 @@ class Smoother {
         labels_(labels),
         reach_(labels.planes.begin(), labels.planes.end()),
         common_(grid.cell_count()),
+        label_of_tile_(grid.tile_count()),
         waits_(grid.cell_count(), 0),
         won_(labels.planes.size()),
         lost_(labels.planes.size()) {
@@ -28,8 +29,12 @@ class Smoother {
       log_least_.push_back(std::log(reach.least));
     }
     parallel_blocks(common_.size(), task, [&](std::size_t begin, std::size_t end) {
+      constexpr std::uint32_t tile = BeamGrid::cells_per_tile;
+      static_assert(task % tile == 0);
       for (auto cell = static_cast<std::uint32_t>(begin); cell < end; ++cell)
         common_[cell] = common_label(cell);
+      for (auto first = static_cast<std::uint32_t>(begin); first < end; first += tile)
+        label_of_tile_[first / tile] = label_of_cells(first, first + tile);
     });
   }
 
@@ -73,18 +78,28 @@ class Smoother {
     return common;
   }
 
-  // Cells beside one that holds points of another label. Within a tile of one label only the rim is
-  // looked at.
+  // Cells beside one that holds points of another label. A tile of one label
+  // among others of it has none.
   [[nodiscard]] std::vector<std::uint32_t> at_borders() const {
     constexpr std::uint32_t tile = BeamGrid::cells_per_tile;
-    static_assert(task % tile == 0);
     std::vector<std::vector<std::uint32_t>> found((common_.size() + task - 1) / task);
     parallel_blocks(common_.size(), task, [&](std::size_t begin, std::size_t end) {
       for (auto first = static_cast<std::uint32_t>(begin); first < end; first += tile) {
-        const bool even = is_even(first, first + tile);
+        const auto all_own = label_of_tile_[first / tile];
+        if (all_own == no_points) continue;
+        std::array<std::uint32_t, 9> tiles{};
+        const bool inside = grid_.tiles_around(first / tile, tiles);
+        if (inside && all_own != several && std::all_of(tiles.begin(), tiles.end(), [&](auto next) {
+              return label_of_tile_[next] == all_own || label_of_tile_[next] == no_points;
+            }))
+          continue;
+        if (inside) {
+          look_through(tiles, found[begin / task]);
+          continue;
+        }
         for (auto cell = first; cell < first + tile; ++cell) {
           const auto own = common_[cell];
-          if (own == no_points || (even && !BeamGrid::is_on_rim(cell))) continue;
+          if (own == no_points) continue;
           const auto around = grid_.around<1>(cell);
           if (own == several || std::any_of(around.begin(), around.end(), [&](auto next) {
                 return common_[next] != own && common_[next] != no_points;
@@ -98,14 +113,48 @@ class Smoother {
     return all;
   }
 
-  [[nodiscard]] bool is_even(std::uint32_t from, std::uint32_t to) const {
+  // The same for all cells of the tile in the middle, eight at a time.
+  void look_through(const std::array<std::uint32_t, 9>& tiles,
+                    std::vector<std::uint32_t>& found) const {
+    constexpr std::size_t side = 8, wide = side + 2;
+    std::array<std::int32_t, wide * wide> labels;  // with a rim
+    for (std::size_t y = 0; y < wide; ++y) {
+      const std::size_t above = (y + 7) / 8, in_y = (y + 7) % 8;
+      const auto* const left = &common_[std::size_t{tiles[3 * above]} << 6 | in_y << 3];
+      const auto* const here = &common_[std::size_t{tiles[3 * above + 1]} << 6 | in_y << 3];
+      const auto* const right = &common_[std::size_t{tiles[3 * above + 2]} << 6 | in_y << 3];
+      labels[wide * y] = left[7];
+      std::copy(here, here + side, &labels[wide * y + 1]);
+      labels[wide * y + 9] = right[0];
+    }
+    for (std::size_t y = 0; y < side; ++y) {
+      std::array<std::int32_t, side> differs{};
+      for (std::size_t dy = 0; dy < 3; ++dy) {
+        for (std::size_t dx = 0; dx < 3; ++dx) {
+          const auto* const own = &labels[wide * (y + 1) + 1];
+          const auto* const next = &labels[wide * (y + dy) + dx];
+          for (std::size_t x = 0; x < side; ++x)
+            differs[x] |= static_cast<std::int32_t>(next[x] != own[x]) &
+                          static_cast<std::int32_t>(next[x] != no_points);
+        }
+      }
+      for (std::size_t x = 0; x < side; ++x) {
+        const auto own = labels[wide * (y + 1) + x + 1];
+        if (own == several || (differs[x] != 0 && own != no_points))
+          found.push_back(tiles[4] << 6 | static_cast<std::uint32_t>(y << 3 | x));
+      }
+    }
+  }
+
+  // Of all cells that hold points.
+  [[nodiscard]] std::int32_t label_of_cells(std::uint32_t from, std::uint32_t to) const {
     std::int32_t only = no_points;
     for (auto cell = from; cell < to; ++cell) {
       if (common_[cell] == no_points) continue;
       if (only == no_points) only = common_[cell];
-      if (common_[cell] != only || only == several) return false;
+      if (common_[cell] != only) return several;
     }
-    return true;
+    return only;
   }
 
   void choose(std::uint32_t cell, Ballot& ballot, std::vector<Change>& changes) const {
@@ -183,6 +232,7 @@ class Smoother {
   const std::vector<PlaneReach> reach_;
   std::vector<float> log_height_, log_least_;  // of the reach of each plane
   std::vector<std::int32_t> common_;           // by cell: the label of all its points
+  std::vector<std::int32_t> label_of_tile_;    // by tile: the same of all its cells, at first
   std::vector<char> waits_;                    // by cell
   std::vector<Moments> won_, lost_;            // by plane
 };
