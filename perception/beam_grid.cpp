@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "core/parallel.hpp"
 
@@ -51,14 +52,15 @@ double share_beside(const std::vector<std::uint32_t>& place_of_point, int side) 
 
 }  // namespace
 
-BeamGrid::BeamGrid(const CanonicalCloud& cloud, const Eigen::Vector3d& sensor) {
+BeamPlaces place_beams(const CanonicalCloud& cloud, const Eigen::Vector3d& sensor) {
   constexpr int coarse_side = 48, finest = 1024;
   constexpr std::size_t block = 16384;
   constexpr double spacings_per_cell = 1.1, growth = 1.25;
   constexpr double least_beside = 0.75;  // 0.83 where beams are spread evenly
   const std::size_t n = cloud.size();
   const Eigen::Vector3f at = sensor.cast<float>();
-  cell_of_point_.resize(n);
+  BeamPlaces places;
+  places.of_point.resize(n);
   // Where the beam of each point meets a face of the cube, as `spot` says; without a branch, so
   // that the compiler can take several at once.
   std::vector<float> u(n), v(n);
@@ -87,19 +89,13 @@ BeamGrid::BeamGrid(const CanonicalCloud& cloud, const Eigen::Vector3d& sensor) {
     };
     parallel_blocks(n, block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        cell_of_point_[i] = std::uint32_t{faces[i]} << 20 | along(v[i]) << 10 | along(u[i]);
+        places.of_point[i] = std::uint32_t{faces[i]} << 20 | along(v[i]) << 10 | along(u[i]);
     });
-  };
-  const auto spot_of = [](std::uint32_t place) {
-    return Spot{static_cast<int>(place >> 20), static_cast<int>(place & 1023U),
-                static_cast<int>(place >> 10 & 1023U)};
   };
   place_points(coarse_side);
   std::vector<std::uint32_t> coarse(6 * coarse_side * coarse_side, 0);
-  for (const auto place : cell_of_point_) {
-    const Spot here = spot_of(place);
-    ++coarse[static_cast<std::size_t>((here.face * coarse_side + here.y) * coarse_side + here.x)];
-  }
+  for (const auto place : places.of_point)
+    ++coarse[((place >> 20) * coarse_side + (place >> 10 & 1023U)) * coarse_side + (place & 1023U)];
   std::sort(coarse.begin(), coarse.end());
   std::size_t below = 0;
   std::uint32_t median = 1;
@@ -108,16 +104,26 @@ BeamGrid::BeamGrid(const CanonicalCloud& cloud, const Eigen::Vector3d& sensor) {
     median = std::max(count, 1U);
     if (2 * below >= n) break;
   }
-  side_ = std::clamp(
+  places.side = std::clamp(
       static_cast<int>(coarse_side * std::sqrt(static_cast<double>(median)) / spacings_per_cell), 4,
       finest);
-  place_points(side_);
+  place_points(places.side);
   // Where beams lie closer along a line than lines to each other, cells as large as the mean would
   // allow have empty ones beside them: they grow until few have.
-  while (side_ > 4 && share_beside(cell_of_point_, side_) < least_beside) {
-    side_ = std::max(4, static_cast<int>(side_ / growth));
-    place_points(side_);
+  while (places.side > 4 && share_beside(places.of_point, places.side) < least_beside) {
+    places.side = std::max(4, static_cast<int>(places.side / growth));
+    place_points(places.side);
   }
+  return places;
+}
+
+BeamGrid::BeamGrid(BeamPlaces places)
+    : side_(places.side), cell_of_point_(std::move(places.of_point)) {
+  const std::size_t n = cell_of_point_.size();
+  const auto spot_of = [](std::uint32_t place) {
+    return Spot{static_cast<int>(place >> 20), static_cast<int>(place & 1023U),
+                static_cast<int>(place >> 10 & 1023U)};
+  };
   tiles_ = (side_ + 7) / 8;
   tile_at_.assign(6 * static_cast<std::size_t>(tiles_) * static_cast<std::size_t>(tiles_), 0);
   const auto tile = [&](const Spot& here) -> std::uint32_t& {

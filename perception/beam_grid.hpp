@@ -11,6 +11,13 @@
 
 namespace scanchor {
 
+/// Where the beam of each point meets a cube around the sensor.
+struct BeamPlaces {
+  int side = 1;                         ///< cells along the side of a face
+  std::vector<std::uint32_t> of_point;  ///< face << 20 | row << 10 | column
+};
+BeamPlaces place_beams(const CanonicalCloud& cloud, const Eigen::Vector3d& sensor);
+
 /// Cells of a cube around the sensor, each face divided evenly, 1.1 spacings of the beams wide
 /// where the median beam lies, wider where beams lie closer one way than the other. They are kept
 /// in tiles of 8 x 8, and only those that hold a point; all others are one empty tile, the first.
@@ -18,7 +25,9 @@ class BeamGrid {
  public:
   static constexpr std::uint32_t cells_per_tile = 64;  ///< consecutive ones; the last is whole too
 
-  BeamGrid(const CanonicalCloud& cloud, const Eigen::Vector3d& sensor);
+  BeamGrid(const CanonicalCloud& cloud, const Eigen::Vector3d& sensor)
+      : BeamGrid(place_beams(cloud, sensor)) {}
+  explicit BeamGrid(BeamPlaces places);
   [[nodiscard]] std::size_t tile_count() const { return spot_of_tile_.size(); }
   /// The tiles around a tile, three by three, the tile itself in the middle, where all cells up to
   /// two from its own lie on the same face; false elsewhere. Precondition: the tile holds a point.

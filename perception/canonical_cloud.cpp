@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -246,10 +247,17 @@ CanonicalCloud canonical_cloud(const std::vector<Eigen::Vector3d>& points,
   });
   std::uint32_t kept = 0;
   for (auto& here : start) kept += std::exchange(here, kept);
-  for (auto* coordinate : {&cloud.x, &cloud.y, &cloud.z}) coordinate->resize(kept);
-  cloud.code.resize(kept);
-  cloud.source.resize(n);
-  cloud.first.resize(kept + 1);
+  // Side by side: setting to zero is half of what writing costs.
+  const std::array<std::function<void()>, 7> make_room = {
+      [&] { cloud.x.resize(kept); },
+      [&] { cloud.y.resize(kept); },
+      [&] { cloud.z.resize(kept); },
+      [&] { cloud.code.resize(kept); },
+      [&] { cloud.source.resize(n); },
+      [&] { cloud.first.resize(kept + 1); },
+      [&] { cloud.inverse_range.resize(kept); },
+  };
+  parallel_blocks(make_room.size(), 1, [&](std::size_t k, std::size_t) { make_room[k](); });
   parallel_blocks(n, points_a_task, [&](std::size_t begin, std::size_t end) {
     std::uint32_t to = start[begin / points_a_task];
     for (std::size_t i = begin; i < end; ++i) {
@@ -264,7 +272,6 @@ CanonicalCloud canonical_cloud(const std::vector<Eigen::Vector3d>& points,
     }
   });
   cloud.first[kept] = static_cast<std::uint32_t>(n);
-  cloud.inverse_range.assign(cloud.size(), 0.0F);
   return cloud;
 }
 

@@ -74,19 +74,24 @@ CellTree cell_tree(const CanonicalCloud& cloud, std::uint32_t largest, double le
     from = to;
     to = tree.cells.size();
   }
+  // From the deepest level up: a parent is the sum of its children.
   tree.moments.resize(tree.cells.size());
-  parallel_blocks(tree.cells.size(), block, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Cell& cell = tree.cells[i];
-      if (cell.children != 0) continue;
-      for (auto p = cell.begin; p < cell.end; ++p)
-        tree.moments[i].add(cloud.x[p], cloud.y[p], cloud.z[p]);
-    }
-  });
-  for (std::size_t i = tree.cells.size(); i-- > 0;) {
-    const Cell& cell = tree.cells[i];
-    for (std::uint32_t c = 0; c < cell.children; ++c)
-      tree.moments[i].add(tree.moments[cell.child + c]);
+  for (std::size_t first = 0, to = tree.cells.size(); to > 0; to = first) {
+    first = static_cast<std::size_t>(
+        std::lower_bound(tree.cells.begin(), tree.cells.begin() + static_cast<std::ptrdiff_t>(to),
+                         tree.cells[to - 1].level,
+                         [](const Cell& cell, std::uint8_t l) { return cell.level < l; }) -
+        tree.cells.begin());
+    parallel_blocks(to - first, block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = first + begin; i < first + end; ++i) {
+        const Cell& cell = tree.cells[i];
+        Moments sum;
+        for (std::uint32_t c = 0; c < cell.children; ++c) sum.add(tree.moments[cell.child + c]);
+        for (auto p = cell.begin; p < cell.end && cell.children == 0; ++p)
+          sum.add(cloud.x[p], cloud.y[p], cloud.z[p]);
+        tree.moments[i] = sum;
+      }
+    });
   }
   return tree;
 }

@@ -8,6 +8,18 @@
 
 namespace scanchor {
 
+void add_by_label(const CanonicalCloud& cloud, const std::vector<std::int32_t>& label,
+                  std::vector<Moments>& sums) {
+  // Each task looks at all labels and takes the planes of its own: no sum changes its order.
+  constexpr std::size_t tasks = 2;
+  parallel_blocks(tasks, 1, [&](std::size_t task, std::size_t) {
+    for (std::size_t p = 0; p < label.size(); ++p) {
+      const auto r = static_cast<std::size_t>(label[p]);
+      if (label[p] >= 0 && r % tasks == task) sums[r].add(cloud.x[p], cloud.y[p], cloud.z[p]);
+    }
+  });
+}
+
 /// Candidates of one leaf, and the choice of a point between them.
 class PlaneChoice::Ballot {
  public:
@@ -146,9 +158,7 @@ void PlaneChoice::choose(const std::vector<Moments>& fixed, int rounds,
     label.swap(next);
     std::vector<Moments> sums = fixed;
     sums.resize(planes.size());
-    for (std::uint32_t p = 0; p < label.size(); ++p) {
-      if (label[p] >= 0) sums[static_cast<std::size_t>(label[p])].add(c.x[p], c.y[p], c.z[p]);
-    }
+    add_by_label(c, label, sums);
     parallel_blocks(planes.size(), 32, [&](std::size_t begin, std::size_t end) {
       for (std::size_t r = begin; r < end; ++r) {
         if (sums[r].n >= 6.0) {

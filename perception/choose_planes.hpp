@@ -9,6 +9,10 @@
 
 namespace scanchor {
 
+/// Adds the points of the pool to the sums of their planes, each in the order of the points.
+void add_by_label(const CanonicalCloud& cloud, const std::vector<std::int32_t>& label,
+                  std::vector<Moments>& sums);
+
 /// A point takes the plane with the least   r^2 / (2 s^2) + ln s - ln(votes)   among those within
 /// 3 s, where r is its distance, s the plane's scatter and the votes are the points in its own and
 /// the neighbouring leaves that chose it before: iterated conditional modes (J. Besag, "On the

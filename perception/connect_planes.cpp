@@ -293,13 +293,16 @@ void split(const CanonicalCloud& cloud, const BeamGrid& grid, const BeamNoise& n
   }
 }
 
-void join(const CanonicalCloud& cloud, const BeamGrid& grid, const BeamNoise& noise,
-          CellSearch& search, PlaneLabels& labels) {
+void join(const BeamGrid& grid, const BeamNoise& noise, CellSearch& search, PlaneLabels& labels) {
   auto& planes = labels.planes;
   const PlaneMembers members(labels);
-  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
-    if (labels.of_point[i] >= 0) search.piece[grid.cell_of_point(i)] = labels.of_point[i];
-  }
+  parallel_blocks(grid.cell_count(), 16384, [&](std::size_t begin, std::size_t end) {
+    for (auto cell = static_cast<std::uint32_t>(begin); cell < end; ++cell) {
+      for (const auto p : grid.points(cell)) {
+        if (labels.of_point[p] >= 0) search.piece[cell] = labels.of_point[p];
+      }
+    }
+  });
   std::vector<std::uint32_t> order;
   for (std::uint32_t r = 0; r < planes.size(); ++r) {
     if (!members[r].empty()) order.push_back(r);
@@ -347,7 +350,7 @@ void connect_planes(const CanonicalCloud& cloud, const BeamGrid& grid, const Bea
                     std::size_t fewest, PlaneLabels& labels) {
   Searches searches(cloud, grid);
   split(cloud, grid, noise, fewest, searches, labels);
-  join(cloud, grid, noise, *searches.take(), labels);
+  join(grid, noise, *searches.take(), labels);
 }
 
 }  // namespace scanchor

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
@@ -101,13 +102,24 @@ void collect_surfaces(const PointCloud& cloud, const PlaneInput& input,
   // Some 2000 points of a surface, evenly along the canonical order, tell whether it bends.
   std::vector<BendTest> bend(regions);
   std::vector<std::vector<std::uint32_t>> sample(regions);
-  std::vector<std::uint32_t> seen(regions, 0);
-  for (std::size_t i = 0; i < region_of.size(); ++i) {
-    if (region_of[i] < 0) continue;
-    const auto r = static_cast<std::size_t>(region_of[i]);
-    if (seen[r]++ % (1 + count[r] / 2048) == 0)
+  const auto take_samples = [&] {
+    std::vector<std::uint32_t> left(regions, 0);  // until the next that is taken
+    for (std::size_t i = 0; i < region_of.size(); ++i) {
+      if (region_of[i] < 0) continue;
+      const auto r = static_cast<std::size_t>(region_of[i]);
+      if (left[r]-- != 0) continue;
+      left[r] = count[r] / 2048;
       sample[r].push_back(canonical.source[canonical.first[i]]);
-  }
+    }
+  };
+  std::optional<PlaneMembers> inliers;  // in the input's order: rising
+  parallel_blocks(2, 1, [&](std::size_t task, std::size_t) {
+    if (task == 0) {
+      take_samples();
+    } else {
+      inliers.emplace(surfaces.plane_of_point, regions);
+    }
+  });
   parallel_blocks(regions, 4, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) {
       const auto axes = found[r].T_cloud_surface.linear();
@@ -115,12 +127,8 @@ void collect_surfaces(const PointCloud& cloud, const PlaneInput& input,
         const Eigen::Vector3d d = cloud.points[s] - found[r].plane.centroid;
         bend[r].add(axes.col(0).dot(d), axes.col(1).dot(d), axes.col(2).dot(d));
       }
+      found[r].inliers.assign((*inliers)[r].begin(), (*inliers)[r].end());
     }
-  });
-  const PlaneMembers inliers(surfaces.plane_of_point, regions);  // in the input's order: rising
-  parallel_blocks(regions, 4, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t r = begin; r < end; ++r)
-      found[r].inliers.assign(inliers[r].begin(), inliers[r].end());
   });
   std::vector<std::size_t> order;
   for (std::size_t r = 0; r < regions; ++r) {
@@ -137,9 +145,13 @@ void collect_surfaces(const PointCloud& cloud, const PlaneInput& input,
     found[r].confidence = bend[r].confidence(floor);
     surfaces.surfaces.push_back(std::move(found[r]));
   }
-  for (auto& plane : surfaces.plane_of_point) {
-    if (plane >= 0) plane = id_of[static_cast<std::size_t>(plane)];
-  }
+  auto& plane_of_point = surfaces.plane_of_point;
+  parallel_blocks(plane_of_point.size(), 16384, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (plane_of_point[i] >= 0)
+        plane_of_point[i] = id_of[static_cast<std::size_t>(plane_of_point[i])];
+    }
+  });
 }
 
 PlaneInput plane_input(const PointCloud& cloud, const PerceiveOptions& options,
@@ -181,17 +193,24 @@ Surfaces find_planes(const PointCloud& cloud, const PerceiveOptions& options) {
                       input.cloud.T_cloud_canonical.inverse() * surfaces.sensor_positions.front());
     see_from(noise.sensor, input.cloud);
   }
-  const bool bent = estimate_flatness(tree, input.sigma) > bent_from * input.sigma;
-  PlaneLabels labels = cell_planes(input.cloud, tree, noise, region_of_cell);
-  tree.moments = {};  // nobody asks for them from here on, and they are a third of the memory
-  std::optional<BeamGrid> grid;
+  bool bent = false;
+  PlaneLabels labels;
   parallel_blocks(2, 1, [&](std::size_t task, std::size_t) {
     if (task == 0) {
-      thin_planes(input.cloud, tree, noise, region_of_cell, labels);
-    } else if (noise.sensor_known) {
-      grid.emplace(input.cloud, noise.sensor);  // asks for nothing but the points
+      labels = cell_planes(input.cloud, tree, noise, region_of_cell);
+    } else {
+      bent = estimate_flatness(tree, input.sigma) > bent_from * input.sigma;
     }
   });
+  tree.moments = {};  // nobody asks for them from here on, and they are a third of the memory
+  std::optional<BeamGrid> grid;
+  BesideThinPlanes beside;
+  BeamPlaces places;
+  if (noise.sensor_known) {  // the grid asks for nothing but the points
+    beside.growing = [&] { places = place_beams(input.cloud, noise.sensor); };
+    beside.overgrowing = [&] { grid.emplace(std::move(places)); };
+  }
+  thin_planes(input.cloud, tree, noise, region_of_cell, labels, beside);
   drop_chance_planes(input.cloud, tree, labels);
   split_sheets(input.cloud, labels, noise);
   if (grid) smooth_planes(input.cloud, *grid, labels, noise);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "core/parallel.hpp"
 
@@ -10,18 +11,60 @@ namespace {
 
 constexpr std::uint32_t leaf_points = 6;
 
-// Links from -> to, gathered by `from` in the order they were made: a counting sort.
 struct Link {
   std::uint32_t from, to;
 };
-void to_lists(const std::vector<Link>& links, std::size_t leaves, std::vector<std::uint32_t>& start,
-              std::vector<std::uint32_t>& lists) {
+// What a block of leaves finds; blocks are put together in their order.
+struct Found {
+  std::vector<Link> links;
+  std::vector<std::uint32_t> region_count;  // a leaf
+  std::vector<std::int32_t> regions;
+};
+
+// Links gathered by where they come from, in the order they were made: a counting sort.
+void to_lists(const std::vector<Found>& blocks, std::size_t leaves,
+              std::vector<std::uint32_t>& start, std::vector<std::uint32_t>& lists) {
   start.assign(leaves + 1, 0);
-  for (const auto& link : links) ++start[link.from + 1];
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-  lists.resize(links.size());
-  for (const auto& link : links) lists[next[link.from]++] = link.to;
+  for (const auto& found : blocks) {
+    for (const auto& link : found.links) ++start[link.from];
+  }
+  std::exclusive_scan(start.begin(), start.end(), start.begin(), 0U);
+  lists.resize(start.back());
+  for (const auto& found : blocks) {
+    for (const auto& link : found.links) lists[start[link.from]++] = link.to;
+  }
+  // Each is where the next begins now.
+  std::move_backward(start.begin(), start.end() - 1, start.end());
+  start[0] = 0;
+}
+
+// The points without a label.
+void gather_points(const CanonicalCloud& cloud, const PlaneLabels& labels, PointPool& pool) {
+  constexpr std::size_t block = 8192;
+  std::vector<std::size_t> start(cloud.size() / block + 1, 0);
+  parallel_blocks(cloud.size(), block, [&](std::size_t begin, std::size_t end) {
+    std::size_t count = 0;
+    for (std::size_t i = begin; i < end; ++i) count += labels.of_point[i] < 0 ? 1 : 0;
+    start[begin / block] = count;
+  });
+  std::size_t size = 0;
+  for (auto& here : start) size += std::exchange(here, size);
+  pool.place.resize(size);
+  for (auto* v : {&pool.cloud.x, &pool.cloud.y, &pool.cloud.z, &pool.cloud.inverse_range})
+    v->resize(size);
+  pool.cloud.code.resize(size);
+  parallel_blocks(cloud.size(), block, [&](std::size_t begin, std::size_t end) {
+    std::size_t to = start[begin / block];
+    for (std::size_t i = begin; i < end; ++i) {
+      if (labels.of_point[i] >= 0) continue;
+      pool.place[to] = static_cast<std::uint32_t>(i);
+      pool.cloud.x[to] = cloud.x[i];
+      pool.cloud.y[to] = cloud.y[i];
+      pool.cloud.z[to] = cloud.z[i];
+      pool.cloud.inverse_range[to] = cloud.inverse_range[i];
+      pool.cloud.code[to++] = cloud.code[i];
+    }
+  });
 }
 
 }  // namespace
@@ -31,15 +74,7 @@ PointPool point_pool(const CanonicalCloud& cloud, const CellTree& tree, const Pl
   PointPool pool;
   pool.cloud.low = cloud.low;
   pool.cloud.side = cloud.side;
-  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
-    if (labels.of_point[i] >= 0) continue;
-    pool.place.push_back(i);
-    pool.cloud.x.push_back(cloud.x[i]);
-    pool.cloud.y.push_back(cloud.y[i]);
-    pool.cloud.z.push_back(cloud.z[i]);
-    pool.cloud.inverse_range.push_back(cloud.inverse_range[i]);
-    pool.cloud.code.push_back(cloud.code[i]);
-  }
+  gather_points(cloud, labels, pool);
   pool.tree = cell_tree(pool.cloud, leaf_points, 2.5 * sigma);
   std::vector<std::uint32_t> leaf_of_cell(pool.tree.cells.size(), 0);
   for (std::uint32_t c = 0; c < pool.tree.cells.size(); ++c) {
@@ -47,12 +82,6 @@ PointPool point_pool(const CanonicalCloud& cloud, const CellTree& tree, const Pl
     leaf_of_cell[c] = static_cast<std::uint32_t>(pool.leaf.size());
     pool.leaf.push_back(c);
   }
-  // What a block of leaves finds; blocks are put together in their order.
-  struct Found {
-    std::vector<Link> links;
-    std::vector<std::uint32_t> region_count;  // a leaf
-    std::vector<std::int32_t> regions;
-  };
   constexpr std::size_t block = 512;
   std::vector<Found> blocks((pool.leaf.size() + block - 1) / block);
   const auto never = [](std::uint32_t) { return false; };
@@ -104,16 +133,18 @@ PointPool point_pool(const CanonicalCloud& cloud, const CellTree& tree, const Pl
           found.regions.size() - static_cast<std::size_t>(first_region)));
     }
   });
-  std::vector<Link> links;
-  pool.region_start.assign(1, 0);
-  for (auto& found : blocks) {
-    links.insert(links.end(), found.links.begin(), found.links.end());
-    pool.regions.insert(pool.regions.end(), found.regions.begin(), found.regions.end());
-    for (const auto count : found.region_count)
-      pool.region_start.push_back(pool.region_start.back() + count);
-    found = {};
-  }
-  to_lists(links, pool.leaf.size(), pool.start, pool.to);
+  parallel_blocks(2, 1, [&](std::size_t task, std::size_t) {
+    if (task == 0) {
+      to_lists(blocks, pool.leaf.size(), pool.start, pool.to);
+      return;
+    }
+    pool.region_start.assign(1, 0);
+    for (const auto& found : blocks) {
+      pool.regions.insert(pool.regions.end(), found.regions.begin(), found.regions.end());
+      for (const auto count : found.region_count)
+        pool.region_start.push_back(pool.region_start.back() + count);
+    }
+  });
   return pool;
 }
 

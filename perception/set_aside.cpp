@@ -103,6 +103,7 @@ UsablePoints set_aside(const PointCloud& cloud, double body_radius) {
   const float limit = out_of_range_from(ranges);
   usable.body_radius = body_radius < 0.0 ? find_body(ranges) : body_radius;
   const auto body = static_cast<float>(usable.body_radius);
+  if (body <= 0.0F && !(limit < std::numeric_limits<float>::infinity())) return usable;
   std::size_t kept = 0;
   for (std::size_t k = 0; k < ranges.size(); ++k) {
     if (ranges[k] >= limit) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <span>
 
 #include "core/parallel.hpp"
 #include "perception/height_map.hpp"
@@ -47,6 +48,14 @@ class SheetFinder {
     ground_ = all_;
     ground_.fit();
     return false;
+  }
+
+  // Finds all sheets, and returns how many there are.
+  int find_all(double scatter) {
+    constexpr int most_sheets = 16;
+    int sheets = 0;
+    while (sheets < most_sheets && find(sheets, scatter)) ++sheets;
+    return sheets;
   }
 
   // Do these points share their squares with those of `other`, and are the squares as high as one
@@ -224,15 +233,72 @@ class SheetFinder {
 bool lies_close(const GrownPlane& large, const GrownPlane& small, const BeamNoise& noise) {
   constexpr double turn = 0.97, apart = 5.0;
   if (small.moments.n < 3.0) return false;
+  if (!(std::abs(large.plane.normal.dot(small.plane.normal)) > turn)) return false;
   const Eigen::Vector3d there = small.moments.mean();
-  return std::abs(large.plane.distance(there)) < apart * noise.across(large.plane, there) &&
-         std::abs(large.plane.normal.dot(small.plane.normal)) > turn;
+  return std::abs(large.plane.distance(there)) < apart * noise.across(large.plane, there);
 }
+
+// What can be said of a plane before its turn comes.
+struct Outlook {
+  struct Near {
+    std::uint32_t plane;
+    bool beside;  // of its points a tenth lie where the plane has some
+  };
+  std::optional<HeightMap> alone;
+  std::vector<Near> near;  // smaller planes so close that points of one sheet may be on either
+  std::vector<std::uint32_t> points;  // with those of what lies beside; none: nothing does
+  std::optional<HeightMap> together;
+  std::optional<SheetFinder> finder;
+  int sheets = 0;
+
+  [[nodiscard]] const HeightMap& map() const { return together ? *together : *alone; }
+
+  // `order`: the plane and all smaller ones.
+  void look(const CanonicalCloud& cloud, const std::vector<GrownPlane>& planes,
+            const PlaneMembers& members, const BeamNoise& noise,
+            std::span<const std::uint32_t> order) {
+    const GrownPlane& whole = planes[order[0]];
+    alone.emplace(cloud, whole, members[order[0]]);
+    for (const auto q : order.subspan(1)) {
+      if (members[q].size() < 3) break;
+      if (!lies_close(whole, planes[q], noise)) continue;
+      std::size_t within = 0;
+      for (const auto p : members[q]) within += alone->is_beside(cloud.point(p)) ? 1 : 0;
+      near.push_back({q, 10 * within >= members[q].size()});
+    }
+    find(cloud, whole, order[0], members);
+  }
+
+  // Forgets planes that are settled by now.
+  void look_again(const CanonicalCloud& cloud, const GrownPlane& whole, std::uint32_t plane,
+                  const PlaneMembers& members, const std::vector<char>& settled) {
+    const auto is_settled = [&](const Near& other) { return settled[other.plane] != 0; };
+    const bool fewer = std::any_of(near.begin(), near.end(), [&](const Near& other) {
+      return other.beside && is_settled(other);
+    });
+    near.erase(std::remove_if(near.begin(), near.end(), is_settled), near.end());
+    if (fewer) find(cloud, whole, plane, members);
+  }
+
+ private:
+  void find(const CanonicalCloud& cloud, const GrownPlane& whole, std::uint32_t plane,
+            const PlaneMembers& members) {
+    points.clear();
+    for (const auto& other : near) {
+      if (!other.beside) continue;
+      if (points.empty()) points.assign(members[plane].begin(), members[plane].end());
+      points.insert(points.end(), members[other.plane].begin(), members[other.plane].end());
+    }
+    together.reset();
+    if (!points.empty()) together.emplace(cloud, whole, points);
+    finder.emplace(map());
+    sheets = finder->find_all(whole.sigma);
+  }
+};
 
 }  // namespace
 
 void split_sheets(const CanonicalCloud& cloud, PlaneLabels& labels, const BeamNoise& noise) {
-  constexpr int most_sheets = 16;
   constexpr auto fewest =
       static_cast<std::size_t>(3.0 * HeightMap::points_per_square * fewest_squares);
   const PlaneMembers members(labels);
@@ -241,47 +307,33 @@ void split_sheets(const CanonicalCloud& cloud, PlaneLabels& labels, const BeamNo
   std::stable_sort(order.begin(), order.end(),
                    [&](auto a, auto b) { return members[a].size() > members[b].size(); });
   std::vector<char> settled(labels.planes.size(), 0);
-  // A plane that no other gave points to or took from is as it was: its map can be made beforehand.
-  std::vector<std::optional<HeightMap>> maps(order.size());
+  // A plane that no other gave points to or took from is as it was, so much can be known
+  // beforehand.
+  std::vector<Outlook> outlooks(order.size());
   parallel_blocks(order.size(), 1, [&](std::size_t i, std::size_t) {
-    const auto r = order[i];
-    if (members[r].size() >= fewest) maps[i].emplace(cloud, labels.planes[r], members[r]);
+    if (members[order[i]].size() >= fewest)
+      outlooks[i].look(cloud, labels.planes, members, noise, {&order[i], order.size() - i});
   });
-  std::vector<std::uint32_t> points;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const auto r = order[i];
     if (members[r].size() < fewest) break;
     if (settled[r] != 0) continue;
-    // Planes so near that points of one sheet may have gone to either.
     const GrownPlane whole = labels.planes[r];
-    points.assign(members[r].begin(), members[r].end());
-    std::vector<std::uint32_t> near;
-    for (std::size_t j = i + 1; j < order.size(); ++j) {
-      const auto q = order[j];
-      if (members[q].size() < 3) break;
-      if (settled[q] == 0 && lies_close(whole, labels.planes[q], noise)) near.push_back(q);
-    }
-    const HeightMap& alone = *maps[i];
-    const std::size_t own = points.size();
-    for (const auto q : near) {
-      std::size_t within = 0;
-      for (const auto p : members[q]) within += alone.is_beside(cloud.point(p)) ? 1 : 0;
-      if (10 * within >= members[q].size())
-        points.insert(points.end(), members[q].begin(), members[q].end());
-    }
-    std::optional<HeightMap> together;
-    if (points.size() > own) together.emplace(cloud, whole, points);
-    const HeightMap& map = together ? *together : alone;
-    SheetFinder finder(map);
-    int sheets = 0;
-    while (sheets < most_sheets && finder.find(sheets, whole.sigma)) ++sheets;
+    Outlook& outlook = outlooks[i];
+    outlook.look_again(cloud, whole, r, members, settled);
+    const std::span<const std::uint32_t> points =
+        outlook.points.empty() ? members[r] : outlook.points;
+    const HeightMap& map = outlook.map();
+    const SheetFinder& finder = *outlook.finder;
+    const int sheets = outlook.sheets;
     if (sheets == 0) {
-      for (const auto q : near) {
+      for (const auto& [q, beside] : outlook.near) {
         Moments both = labels.planes[r].moments;
         both.add(labels.planes[q].moments);
         const GrownPlane one = grown_plane(both, noise);
         // The halves of a wall that noise parted scatter by less than the wall does.
-        if (!finder.is_mixed_in(cloud, alone, members[q], one.sigma / whole.sigma)) continue;
+        if (!finder.is_mixed_in(cloud, *outlook.alone, members[q], one.sigma / whole.sigma))
+          continue;
         labels.planes[r] = one;
         labels.planes[q].moments = Moments{};
         settled[q] = 1;
@@ -310,7 +362,7 @@ void split_sheets(const CanonicalCloud& cloud, PlaneLabels& labels, const BeamNo
     labels.planes[r] = planes[0];
     labels.planes.insert(labels.planes.end(), planes.begin() + 1, planes.end());
     // Those that gave points follow what they kept.
-    for (const auto q : near) {
+    for (const auto& [q, beside] : outlook.near) {
       Moments left;
       for (const auto p : members[q]) {
         if (labels.of_point[p] == static_cast<std::int32_t>(q))

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
 
 #include "core/parallel.hpp"
 #include "perception/choose_planes.hpp"
@@ -191,40 +190,41 @@ void overgrow(ThinWork& work, const std::vector<Moments>& fixed) {
   }
   std::vector<Moments> sums = fixed;
   sums.resize(work.planes.size());
-  for (std::uint32_t p = 0; p < work.label.size(); ++p) {
-    if (work.label[p] >= 0)
-      sums[static_cast<std::size_t>(work.label[p])].add(c.x[p], c.y[p], c.z[p]);
-  }
-  for (std::size_t r = 0; r < sums.size(); ++r) {
-    if (sums[r].n >= 6.0) {
-      work.planes[r] = grown_plane(sums[r], work.noise);
-    } else {
-      work.planes[r].moments = sums[r];
+  add_by_label(c, work.label, sums);
+  parallel_blocks(sums.size(), 32, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      if (sums[r].n >= 6.0) {
+        work.planes[r] = grown_plane(sums[r], work.noise);
+      } else {
+        work.planes[r].moments = sums[r];
+      }
     }
-  }
+  });
 }
 
 // Planes that meet in a leaf or in two neighbouring leaves.
 std::vector<std::pair<std::int32_t, std::int32_t>> meeting_planes(
     const PointPool& pool, const std::vector<std::int32_t>& label) {
-  // Labels of each leaf, each once.
-  std::vector<std::uint32_t> start(1, 0);
-  std::vector<std::int32_t> labels;
-  for (std::uint32_t l = 0; l < pool.leaf.size(); ++l) {
-    const Cell& cell = pool.cell(l);
-    for (auto p = cell.begin; p < cell.end; ++p) {
-      if (label[p] >= 0 &&
-          std::find(labels.begin() + start.back(), labels.end(), label[p]) == labels.end())
-        labels.push_back(label[p]);
+  constexpr std::size_t block = 1024;
+  // Labels of each leaf, each once, from the place of its first point on.
+  std::vector<std::int32_t> labels(label.size());
+  std::vector<std::uint32_t> count(pool.leaf.size());
+  parallel_blocks(pool.leaf.size(), block, [&](std::size_t begin, std::size_t end) {
+    for (auto l = static_cast<std::uint32_t>(begin); l < end; ++l) {
+      const Cell& cell = pool.cell(l);
+      auto* const first = labels.data() + cell.begin;
+      auto* last = first;
+      for (auto p = cell.begin; p < cell.end; ++p) {
+        if (label[p] >= 0 && std::find(first, last, label[p]) == last) *last++ = label[p];
+      }
+      count[l] = static_cast<std::uint32_t>(last - first);
     }
-    start.push_back(static_cast<std::uint32_t>(labels.size()));
-  }
+  });
   using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
   const auto each_once = [](Pairs& some) {
     std::sort(some.begin(), some.end());
     some.erase(std::unique(some.begin(), some.end()), some.end());
   };
-  constexpr std::size_t block = 1024;
   std::vector<Pairs> found(pool.leaf.size() / block + 1);
   parallel_blocks(pool.leaf.size(), block, [&](std::size_t begin, std::size_t end) {
     auto& pairs = found[begin / block];
@@ -235,7 +235,8 @@ std::vector<std::pair<std::int32_t, std::int32_t>> meeting_planes(
         if (std::find(here.begin(), here.end(), one) == here.end()) here.push_back(one);
       };
       const auto look_at = [&](std::uint32_t leaf) {
-        for (auto k = start[leaf]; k < start[leaf + 1]; ++k) look(labels[k]);
+        const auto* const first = labels.data() + pool.cell(leaf).begin;
+        std::for_each(first, first + count[leaf], look);
       };
       look_at(l);
       for (auto k = pool.start[l]; k < pool.start[l + 1]; ++k) look_at(pool.to[k]);
@@ -269,33 +270,38 @@ std::vector<std::pair<std::int32_t, std::int32_t>> all_pairs(
 }  // namespace
 
 void thin_planes(const CanonicalCloud& cloud, const CellTree& tree, const BeamNoise& noise,
-                 const std::vector<std::int32_t>& region_of_cell, PlaneLabels& labels) {
+                 const std::vector<std::int32_t>& region_of_cell, PlaneLabels& labels,
+                 const BesideThinPlanes& beside) {
   std::vector<Moments> fixed(labels.planes.size());  // of the points that flat cells settled
-  std::optional<PointPool> pooled;
-  std::vector<Surfel> surfels;
-  parallel_blocks(2, 1, [&](std::size_t task, std::size_t) {
-    if (task == 0) {
-      pooled.emplace(point_pool(cloud, tree, labels, region_of_cell, noise.sigma));
-      surfels = fit_surfels(*pooled, noise);
-      return;
-    }
-    for (std::size_t i = 0; i < cloud.size(); ++i) {
-      if (labels.of_point[i] >= 0)
-        fixed[static_cast<std::size_t>(labels.of_point[i])].add(cloud.x[i], cloud.y[i], cloud.z[i]);
-    }
-  });
-  const PointPool& pool = *pooled;
+  const PointPool pool = point_pool(cloud, tree, labels, region_of_cell, noise.sigma);
+  const std::vector<Surfel> surfels = fit_surfels(pool, noise);
   ThinWork work{pool, noise, surfels, labels.planes, {}, {}, 0};
   work.label.assign(pool.place.size(), -1);
   work.asked.assign(pool.leaf.size(), 0);
-  claim(work);
-  find_more(work);
-  const auto follow = [&](const std::vector<std::int32_t>& into) {
-    for (auto& label : work.label) {
-      if (label >= 0) label = into[static_cast<std::size_t>(label)];
+  parallel_blocks(3, 1, [&](std::size_t task, std::size_t) {
+    if (task == 0) {
+      claim(work);
+      find_more(work);
+    } else if (task == 1) {
+      beside.growing();
+    } else {
+      for (std::size_t i = 0; i < cloud.size(); ++i) {
+        if (labels.of_point[i] >= 0)
+          fixed[static_cast<std::size_t>(labels.of_point[i])].add(cloud.x[i], cloud.y[i],
+                                                                  cloud.z[i]);
+      }
     }
-    for (auto& label : labels.of_point) {
+  });
+  std::vector<std::int32_t> become;  // what each plane has become
+  const auto follow = [&](const std::vector<std::int32_t>& into) {
+    const auto go = [&](std::int32_t& label) {
       if (label >= 0) label = into[static_cast<std::size_t>(label)];
+    };
+    std::for_each(work.label.begin(), work.label.end(), go);
+    if (become.empty()) {
+      become = into;
+    } else {
+      std::for_each(become.begin(), become.end(), go);
     }
     fixed.resize(into.size());
     for (std::size_t r = 0; r < into.size(); ++r) {
@@ -307,7 +313,13 @@ void thin_planes(const CanonicalCloud& cloud, const CellTree& tree, const BeamNo
   };
   PlaneChoice choice(pool, noise);
   choice.choose(fixed, 2, work.planes, work.label);
-  overgrow(work, fixed);
+  parallel_blocks(2, 1, [&](std::size_t task, std::size_t) {
+    if (task == 0) {
+      overgrow(work, fixed);
+    } else {
+      beside.overgrowing();
+    }
+  });
   choice.choose(fixed, 1, work.planes, work.label);
   follow(join_planes(meeting_planes(pool, work.label), noise, same_plane, work.planes));
   // Where the sensor is known, what it saw between two pieces tells (connect_planes.hpp).
@@ -315,14 +327,23 @@ void thin_planes(const CanonicalCloud& cloud, const CellTree& tree, const BeamNo
     follow(join_planes(all_pairs(work.planes), noise, surely_same_plane, work.planes));
   choice.choose(fixed, 2, work.planes, work.label);
 
-  for (std::size_t k = 0; k < pool.place.size(); ++k)
-    labels.of_point[pool.place[k]] = work.label[k];
-  for (auto& label : labels.of_point) {
-    if (label < 0) continue;
-    if (labels.planes[static_cast<std::size_t>(label)].moments.n <
-        static_cast<double>(fewest_points))
-      label = -1;
-  }
+  constexpr std::size_t block = 16384;
+  const auto unless_small = [&](std::int32_t label) {  // those are dissolved
+    return label < 0 || labels.planes[static_cast<std::size_t>(label)].moments.n <
+                            static_cast<double>(fewest_points)
+               ? -1
+               : label;
+  };
+  parallel_blocks(cloud.size(), block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      auto& label = labels.of_point[i];
+      if (label >= 0) label = unless_small(become[static_cast<std::size_t>(label)]);
+    }
+  });
+  parallel_blocks(pool.place.size(), block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+      labels.of_point[pool.place[k]] = unless_small(work.label[k]);
+  });
 }
 
 }  // namespace scanchor
