@@ -90,7 +90,8 @@ void planes(benchmark::State& state, const std::string& method, int threads) {
 }
 
 void sizes(benchmark::internal::Benchmark* bench) {
-  for (const std::int64_t count : {20000, 100000, 300000, 1000000}) bench->Args({count, 10});
+  for (const std::int64_t count : {20000, 100000, 300000, 1000000, 10000000})
+    bench->Args({count, 10});
   bench->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 }
 

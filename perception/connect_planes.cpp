@@ -1,6 +1,7 @@
 #include "perception/connect_planes.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <memory>
 #include <mutex>
@@ -48,27 +49,31 @@ class CellSearch {
     std::int32_t pieces = 0;
     std::size_t left = cells.size();
     const auto is_waiting = [&](std::uint32_t next) { return fill_.is_waiting(next); };
-    std::vector<std::uint32_t> taken, rim;  // rim: with a cell beside them that is not the plane's
+    std::vector<std::pair<std::uint32_t, std::uint64_t>> taken;  // tile and cells
+    std::vector<std::uint32_t> rim;  // with a cell beside them that is not the plane's
     for (const auto first : cells) {
       if (!fill_.is_waiting(first)) continue;
       taken.clear();
       rim.clear();
+      std::size_t size = 0;
       fill_.reach(first);
       // All that touches first; only then what lies one cell further, of which little is left.
       for (std::size_t asked = 0;;) {
-        fill_.take([&](std::uint32_t cell, bool at_rim) {
-          taken.push_back(cell);
-          if (at_rim) rim.push_back(cell);
+        fill_.take([&](std::uint32_t tile, std::uint64_t some, std::uint64_t at_rim) {
+          taken.emplace_back(tile, some);
+          size += static_cast<std::size_t>(std::popcount(some));
+          TileFill::each_cell(tile, at_rim, [&](std::uint32_t cell) { rim.push_back(cell); });
         });
-        if (asked == rim.size() || taken.size() == left) break;
+        if (asked == rim.size() || size == left) break;
         const auto cell = rim[asked++];
         if (fill_.waits_near(cell))
           around(cell, is_waiting, [&](std::uint32_t next) { fill_.reach(next); });
       }
-      if (taken.size() < cells.size()) {
-        for (const auto cell : taken) piece[cell] = pieces;
+      if (size < cells.size()) {
+        for (const auto& [tile, some] : taken)
+          TileFill::each_cell(tile, some, [&](std::uint32_t cell) { piece[cell] = pieces; });
       }
-      left -= taken.size();
+      left -= size;
       ++pieces;
     }
     return pieces;

@@ -84,7 +84,13 @@ std::vector<Surfel> fit_surfels(const PointPool& pool, const BeamNoise& noise) {
 }
 
 bool continues(const GrownPlane& plane, const Surfel& patch, const BeamNoise& noise) {
+  // Most that do not are far off: neither more than a radian nor 4.4 sigma can be made up for.
+  constexpr double least_cosine = 0.54, most_sigma = 4.4;
+  const double cosine = std::abs(plane.plane.normal.dot(patch.grown.plane.normal));
+  if (cosine < least_cosine) return false;
   const Eigen::Vector3d center = patch.grown.moments.mean();
+  const double distance = std::abs(plane.plane.distance(center));
+  if (distance > most_sigma * noise.sigma) return false;
   const Eigen::Vector3d out = center - plane.moments.mean();
   const double u = plane.plane.axes.col(1).dot(out), v = plane.plane.axes.col(2).dot(out);
   const double sigma = noise.across(plane.plane, center), sigma2 = sigma * sigma;
@@ -93,13 +99,11 @@ bool continues(const GrownPlane& plane, const Surfel& patch, const BeamNoise& no
   const double variance =
       sigma2 / patch.grown.moments.n + std::min(lever / plane.moments.n, 1.0) * sigma2;
   // A tenth of the noise and two degrees for surfaces that are no mathematical planes.
-  if (std::abs(plane.plane.distance(center)) > 3.0 * std::sqrt(variance) + 0.1 * sigma)
-    return false;
+  if (distance > 3.0 * std::sqrt(variance) + 0.1 * sigma) return false;
   const double tilt2 = patch.tilt * patch.tilt +
                        sigma2 / (plane.moments.n * std::max(plane.plane.variances[1], 1e-30));
   const double angle = 3.0 * std::sqrt(tilt2) + 0.035;
-  return std::abs(plane.plane.normal.dot(patch.grown.plane.normal)) >
-         std::cos(std::min(angle, 1.0));
+  return cosine > std::cos(std::min(angle, 1.0));
 }
 
 }  // namespace scanchor

@@ -328,21 +328,24 @@ void thin_planes(const CanonicalCloud& cloud, const CellTree& tree, const BeamNo
   choice.choose(fixed, 2, work.planes, work.label);
 
   constexpr std::size_t block = 16384;
-  const auto unless_small = [&](std::int32_t label) {  // those are dissolved
-    return label < 0 || labels.planes[static_cast<std::size_t>(label)].moments.n <
-                            static_cast<double>(fewest_points)
-               ? -1
-               : label;
-  };
+  // Small ones are dissolved.
+  std::vector<std::int32_t> left(labels.planes.size());
+  for (std::size_t r = 0; r < left.size(); ++r)
+    left[r] = labels.planes[r].moments.n < static_cast<double>(fewest_points)
+                  ? -1
+                  : static_cast<std::int32_t>(r);
+  for (auto& plane : become) plane = left[static_cast<std::size_t>(plane)];
   parallel_blocks(cloud.size(), block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       auto& label = labels.of_point[i];
-      if (label >= 0) label = unless_small(become[static_cast<std::size_t>(label)]);
+      if (label >= 0) label = become[static_cast<std::size_t>(label)];
     }
   });
   parallel_blocks(pool.place.size(), block, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k)
-      labels.of_point[pool.place[k]] = unless_small(work.label[k]);
+    for (std::size_t k = begin; k < end; ++k) {
+      const auto label = work.label[k];
+      labels.of_point[pool.place[k]] = label < 0 ? -1 : left[static_cast<std::size_t>(label)];
+    }
   });
 }
 

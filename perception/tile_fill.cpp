@@ -6,18 +6,33 @@ void TileFill::clear() {
   for (const auto tile : tiles_) own_[tile] = waiting_[tile] = pending_[tile] = 0;
   tiles_.clear();
   queue_.clear();
+  ++now_;
 }
 
 bool TileFill::waits_near(std::uint32_t cell) {
   const auto tile = cell >> 6;
-  if (tile == quiet_) return false;
+  if (near_of_[tile] != now_) {
+    near_[tile] = cells_with_waiting_near(tile);
+    near_of_[tile] = asked_ = now_;
+  }
+  return (near_[tile] & bit_of(cell)) != 0;
+}
+
+std::uint64_t TileFill::cells_with_waiting_near(std::uint32_t tile) const {
   std::array<std::uint32_t, 9> tiles{};
-  if (!grid_.tiles_around(tile, tiles)) return true;
-  std::uint64_t any = 0;
-  for (const auto t : tiles) any |= waiting_[t];
-  if (any != 0) return true;
-  quiet_ = tile;
-  return false;
+  if (!grid_.tiles_around(tile, tiles)) return ~std::uint64_t{0};
+  constexpr std::uint64_t first = 0x0101010101010101U, two = first | first << 1;
+  // Up to two to the left and right in a row of tiles, then up to two above and below.
+  const auto across = [&](std::size_t middle) {
+    const std::uint64_t before = waiting_[tiles[middle - 1]], here = waiting_[tiles[middle]],
+                        after = waiting_[tiles[middle + 1]];
+    return here | (here << 1 & ~first) | (here << 2 & ~two) | (here >> 1 & ~(first << 7)) |
+           (here >> 2 & ~(two << 6)) | (before >> 7 & first) | (before >> 6 & two) |
+           (after << 7 & first << 7) | (after << 6 & two << 6);
+  };
+  const std::uint64_t above = across(1), here = across(4), below = across(7);
+  return here | here << 8 | here << 16 | here >> 8 | here >> 16 | above >> 56 | above >> 48 |
+         below << 56 | below << 48;
 }
 
 std::uint64_t TileFill::spread(std::uint32_t tile, std::uint64_t bits) {

@@ -13,7 +13,12 @@ namespace scanchor {
 class TileFill {
  public:
   explicit TileFill(const BeamGrid& grid)
-      : grid_(grid), own_(grid.tile_count(), 0), waiting_(own_), pending_(own_) {}
+      : grid_(grid),
+        own_(grid.tile_count(), 0),
+        waiting_(own_),
+        pending_(own_),
+        near_(own_),
+        near_of_(own_.size(), 0) {}
 
   /// Forgets all cells.
   void clear();
@@ -23,7 +28,7 @@ class TileFill {
     const std::uint64_t bit = bit_of(cell);
     if ((own & bit) != 0) return false;
     if (own == 0) tiles_.push_back(cell >> 6);
-    quiet_ = 0;
+    if (asked_ == now_) ++now_;  // what was known of neighbours holds no more
     own |= bit;
     waiting_[cell >> 6] |= bit;
     return true;
@@ -31,13 +36,15 @@ class TileFill {
   [[nodiscard]] bool is_waiting(std::uint32_t cell) const {
     return (waiting_[cell >> 6] & bit_of(cell)) != 0;
   }
-  /// May a cell up to two away from one of these cells wait?
+  /// May a cell up to two away from this one wait? Cells that waited when the tile was first asked
+  /// about count.
   [[nodiscard]] bool waits_near(std::uint32_t cell);
   /// The next piece holds this cell.
   void reach(std::uint32_t cell) { reach(cell >> 6, bit_of(cell)); }
 
-  /// Takes what touches the reached cells, and what touches that: calls taken(cell, at_rim) for
-  /// each; at the rim it has a cell beside it that was never added.
+  /// Takes what touches the reached cells, and what touches that: calls taken(tile, cells, rim) for
+  /// some of one tile at a time, a bit each; at the rim one has a cell beside it that was never
+  /// added.
   template <class Taken>
   void take(const Taken& taken) {
     while (!queue_.empty()) {
@@ -51,12 +58,14 @@ class TileFill {
         bits |= beside(bits) & waiting_[tile];
       }
       waiting_[tile] &= ~bits;
-      std::uint64_t rim = spread(tile, bits);
-      for (; bits != 0; bits &= bits - 1) {
-        const auto at = static_cast<std::uint32_t>(std::countr_zero(bits));
-        taken(tile << 6 | at, (rim >> at & 1U) != 0);
-      }
+      taken(tile, bits, spread(tile, bits));
     }
+  }
+  /// Calls f for each cell of these bits of a tile.
+  template <class F>
+  static void each_cell(std::uint32_t tile, std::uint64_t bits, const F& f) {
+    for (; bits != 0; bits &= bits - 1)
+      f(tile << 6 | static_cast<std::uint32_t>(std::countr_zero(bits)));
   }
 
  private:
@@ -72,13 +81,17 @@ class TileFill {
     if (pending_[tile] == 0) queue_.push_back(tile);
     pending_[tile] |= bits;
   }
+  [[nodiscard]] std::uint64_t cells_with_waiting_near(std::uint32_t tile) const;
   // Reaches what lies beside these cells in other tiles; returns those at the rim.
   std::uint64_t spread(std::uint32_t tile, std::uint64_t bits);
 
   const BeamGrid& grid_;
   std::vector<std::uint64_t> own_, waiting_, pending_;  // a bit a cell, by tile
   std::vector<std::uint32_t> tiles_, queue_;            // that hold any; that were reached
-  std::uint32_t quiet_ = 0;  // tile with nothing that waits in it and around; 0: not known
+  // By tile: cells with one up to two away that waited at the time of `near_of_`.
+  std::vector<std::uint64_t> near_;
+  std::vector<std::uint32_t> near_of_;
+  std::uint32_t now_ = 1, asked_ = 0;
 };
 
 }  // namespace scanchor

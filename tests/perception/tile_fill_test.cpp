@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -84,9 +85,11 @@ TEST(TileFill, TakesWhatACellByCellSearchTakes) {
       if (!fill.is_waiting(first)) continue;
       Piece piece;
       fill.reach(first);
-      fill.take([&](std::uint32_t cell, bool at_rim) {
-        EXPECT_TRUE(piece.cells.insert(cell).second) << "each once";
-        if (at_rim) piece.rim.insert(cell);
+      fill.take([&](std::uint32_t tile, std::uint64_t some, std::uint64_t at_rim) {
+        TileFill::each_cell(tile, some, [&](std::uint32_t cell) {
+          EXPECT_TRUE(piece.cells.insert(cell).second) << "each once";
+        });
+        TileFill::each_cell(tile, at_rim, [&](std::uint32_t cell) { piece.rim.insert(cell); });
       });
       pieces.push_back(piece);
     }
@@ -112,7 +115,9 @@ TEST(TileFill, WhatWasTakenWaitsNoMore) {
   EXPECT_FALSE(fill.add(cell));
   EXPECT_TRUE(fill.is_waiting(cell));
   int count = 0;
-  const auto taken = [&](std::uint32_t, bool at_rim) { count += at_rim ? 1 : 0; };
+  const auto taken = [&](std::uint32_t, std::uint64_t, std::uint64_t at_rim) {
+    count += std::popcount(at_rim);
+  };
   fill.take(taken);
   EXPECT_EQ(count, 0) << "nothing was reached";
   fill.reach(cell);
