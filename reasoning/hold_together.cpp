@@ -8,11 +8,20 @@ namespace {
 
 constexpr double slack = 0.1;  // [m] a top lies on its frame and not in it
 
-bool lies_within(const Item& item, const Item& group) {
-  const Eigen::Vector3d d = item.center - group.center;
+bool lies_within(const Eigen::Vector3d& point, const Item& group) {
+  const Eigen::Vector3d d = point - group.center;
   return std::abs(d.dot(group.along)) <= group.half_length + slack &&
          std::abs(d.dot(group.across)) <= group.half_width + slack &&
-         item.center.z() >= group.z_low - slack && item.center.z() <= group.z_high + slack;
+         point.z() >= group.z_low - slack && point.z() <= group.z_high + slack;
+}
+
+bool lies_wholly_within(const Item& item, const Item& group) {
+  for (const double u : {-item.half_length, item.half_length}) {
+    for (const double v : {-item.half_width, item.half_width}) {
+      if (!lies_within(item.center + u * item.along + v * item.across, group)) return false;
+    }
+  }
+  return true;
 }
 
 void give(std::int32_t from, std::int32_t to, Labelling& labelling) {
@@ -37,18 +46,32 @@ void hold_together(const std::vector<std::int32_t>& groups, const std::vector<It
     std::int32_t main = g;
     for (std::size_t i = 0; i < labelling.entity_of_surface.size(); ++i) {
       const int of = ontology.find(entities[i].label);
-      if (of < 0 || entities[i].whole >= 0 || !lies_within(items[i], items[g])) continue;
+      if (of < 0 || entities[i].whole >= 0 || !lies_within(items[i].center, items[g])) continue;
       const bool is_whole = entities[i].label == whole;
       if (!is_whole && ontology.classes[of].part_of != whole) continue;
       pieces.push_back(static_cast<std::int32_t>(i));
       if (is_whole && (main == g || entities[i].area > entities[main].area))
         main = static_cast<std::int32_t>(i);
     }
+    // The boards of a shelf are a group themselves.
+    for (const auto other : groups) {
+      if (other == g || entities[other].whole >= 0 || entities[other].label != whole ||
+          !lies_within(items[other].center, items[g]))
+        continue;
+      pieces.push_back(other);
+      if (main == g || entities[other].surfaces.size() > entities[main].surfaces.size())
+        main = other;
+    }
     for (const auto piece : pieces) {
       if (piece != main) give(piece, main, labelling);
     }
     if (main == g) {
       entities[g].label = whole;
+      for (std::size_t i = 0; i < labelling.entity_of_surface.size(); ++i) {
+        if (entities[i].whole < 0 && entities[i].label == "unknown" &&
+            lies_wholly_within(items[i], items[g]))
+          give(static_cast<std::int32_t>(i), g, labelling);
+      }
     } else {
       give(g, main, labelling);
     }

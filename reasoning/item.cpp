@@ -225,11 +225,14 @@ Item make_group(const std::vector<Item>& items, std::vector<std::int32_t> member
   group.normal = items[main].normal;
   group.normal_covariance = items[main].normal_covariance;
   group.tilt_sigma = items[main].tilt_sigma;
-  // Sides of the box: the horizontal direction of the main member's longer side, and the one
-  // across.
+  // Sides of the box: the horizontal direction of the main member's longer side, of its shorter
+  // one where it stands upright, and the one across.
   Eigen::Vector3d along = items[main].along;
   along.z() = 0.0;
-  if (along.norm() < 0.3) along = Eigen::Vector3d::UnitX();
+  if (along.norm() < 0.3) {
+    along = items[main].across;
+    along.z() = 0.0;
+  }
   along.normalize();
   const Eigen::Vector3d across(-along.y(), along.x(), 0.0);
   double low_a = 1e300, high_a = -1e300, low_b = 1e300, high_b = -1e300;

@@ -85,5 +85,89 @@ TEST(HoldTogether, ADeskBesideTheFrameStaysItsOwn) {
   EXPECT_NE(labelling.entity_of_surface[1], 3);
 }
 
+TEST(HoldTogether, AFrameOnItsOwnTakesInWhatHasNoNameAndLiesWhollyWithinIt) {
+  test::Plate bar;  // between the ends, half way up
+  bar.center = {0.75, 1.0, 0.4};
+  bar.normal = Eigen::Vector3d::UnitY();
+  bar.along = Eigen::Vector3d::UnitX();
+  bar.length = 1.2;
+  bar.width = 0.05;
+  auto sticks_out = bar;
+  sticks_out.center.x() = 1.4;
+  const auto labelling = labelled({end(0.0), end(1.5), bar, sticks_out});
+  const auto desk = labelling.entity_of_surface[1];
+  EXPECT_EQ(labelling.entities[desk].label, "desk");
+  EXPECT_EQ(labelling.entity_of_surface[3], desk);
+  EXPECT_EQ(labelling.entity_of_surface[4], 4);
+}
+
+TEST(HoldTogether, AFrameTakesNothingInWhereThereIsATop) {
+  test::Plate bar;
+  bar.center = {0.75, 1.0, 0.4};
+  bar.normal = Eigen::Vector3d::UnitY();
+  bar.along = Eigen::Vector3d::UnitX();
+  bar.length = 1.2;
+  bar.width = 0.05;
+  const auto labelling = labelled({end(0.0), end(1.5), bar, table_top(0.75, 1.4)});
+  EXPECT_EQ(labelling.entity_of_surface[1], 4);
+  EXPECT_EQ(labelling.entity_of_surface[3], 3);
+}
+
+TEST(HoldTogether, BoardsAndThePanelsAroundThemAreOneShelf) {
+  const char* const shelf = R"(
+axiom floor:
+    area at least 4 m2
+    horizontal
+    lowest
+class board part of shelf:
+    extension 0.6..1.2 m
+    width 0.2..0.6 m
+    horizontal
+    bottom at least 0.1 m above a floor
+class shelf:
+    at least 2 boards, each pair
+        parallel
+        stacked
+class panel part of shelf:
+    extension 1.4..2.2 m
+    width 0.3..0.5 m
+    vertical
+class carcass part of shelf:
+    exactly 2 panels, each pair
+        parallel
+        within 1.3 m
+)";
+  const auto board = [](double z) {
+    test::Plate plate;
+    plate.center = {0.5, 1.0, z};
+    plate.length = 0.9;
+    plate.width = 0.38;
+    return plate;
+  };
+  const auto panel = [](double x) {
+    test::Plate plate;
+    plate.center = {x, 1.0, 0.9};
+    plate.normal = Eigen::Vector3d::UnitX();
+    plate.along = Eigen::Vector3d::UnitZ();
+    plate.length = 1.8;
+    plate.width = 0.4;
+    return plate;
+  };
+  std::vector<test::Plate> plates = {test::floor_plate(), board(0.4), board(0.8),
+                                     board(1.2),          panel(0.0), panel(1.0)};
+  const auto labelling = reason(test::make_surfaces(plates), parse_ontology(shelf, "x.sdl"), {});
+  EXPECT_EQ(test::count_things(labelling, "shelf"), 1);
+  for (const int s : {2, 3, 4, 5})
+    EXPECT_EQ(labelling.entity_of_surface[s], labelling.entity_of_surface[1]) << s;
+
+  // A second pair of panels further on is another shelf.
+  plates.push_back(panel(2.5));
+  plates.push_back(panel(3.5));
+  const auto two = reason(test::make_surfaces(plates), parse_ontology(shelf, "x.sdl"), {});
+  EXPECT_EQ(test::count_things(two, "shelf"), 2);
+  EXPECT_NE(two.entity_of_surface[6], two.entity_of_surface[1]);
+  EXPECT_EQ(two.entity_of_surface[6], two.entity_of_surface[7]);
+}
+
 }  // namespace
 }  // namespace scanchor

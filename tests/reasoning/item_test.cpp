@@ -45,6 +45,25 @@ TEST(Item, GroupIsTheBoxOfItsMembers) {
   EXPECT_NEAR((shelf.center - Eigen::Vector3d(-2, -2, 0.7)).norm(), 0.0, 1e-9);
 }
 
+TEST(Item, TheBoxOfUprightPanelsTurnsWithThem) {
+  for (const double turn : {0.0, 0.5, 1.2, 2.9}) {
+    const Eigen::Matrix3d R = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    std::vector<test::Plate> plates(2);
+    for (int i = 0; i < 2; ++i) {
+      plates[i].center = R * Eigen::Vector3d(0.9 * i, 1.0, 0.9);
+      plates[i].normal = R * Eigen::Vector3d::UnitX();
+      plates[i].along = Eigen::Vector3d::UnitZ();
+      plates[i].length = 1.8;
+      plates[i].width = 0.4;
+    }
+    const auto items = make_items(test::make_surfaces(plates), Eigen::Matrix3d::Identity());
+    const Item panels = make_group(items, {0, 1}, 2);
+    EXPECT_NEAR(panels.extension.value, 0.9, 1e-9) << turn;
+    EXPECT_NEAR(panels.width.value, 0.4, 1e-9) << turn;
+    EXPECT_NEAR(panels.height.value, 1.8, 1e-9) << turn;
+  }
+}
+
 TEST(Item, TwinsAreEqualToTheLastBit) {
   std::vector<test::Plate> plates(5, test::desk_plate());
   plates[1].center.x() += 1e-9;
