@@ -11,6 +11,8 @@ namespace scanchor {
 
 namespace {
 
+constexpr double most_lost = 0.5;  // of planes whose direction is hardly known
+
 /// The tilt of one direction against another, in the axes of its covariance.
 struct RelativeTilt {
   Eigen::Vector2d mean, sigma;  // [rad]
@@ -58,7 +60,7 @@ struct AngleLikelihoods {
 /// That the true angle is within a tolerance of 0 or 90 degrees. Measured: the tilt from parallel,
 /// with one deviation each way, and the deviation of the angle itself.
 AngleLikelihoods angle_likelihoods(const RelativeTilt& tilt, double off, double off_sigma,
-                                   double tolerance, const AnglePrior& prior,
+                                   double lost, double tolerance, const AnglePrior& prior,
                                    const RelationModel& model) {
   const double angle_softness = radians(model.flatness);
   const double askew = radians(model.askew);
@@ -69,7 +71,8 @@ AngleLikelihoods angle_likelihoods(const RelativeTilt& tilt, double off, double 
   // leg seen as one, a strip along an edge. The measured part of a deviation is five times as large
   // there.
   for (const double factor : {1.0, model.gross_factor}) {
-    const double share = factor > 1.0 ? model.gross_share : 1.0 - model.gross_share;
+    const double share =
+        (1.0 - lost) * (factor > 1.0 ? model.gross_share : 1.0 - model.gross_share);
     const Eigen::Vector2d s(std::hypot(factor * tilt.sigma.x(), angle_softness),
                             std::hypot(factor * tilt.sigma.y(), angle_softness));
     const double so = std::hypot(factor * off_sigma, angle_softness);
@@ -81,25 +84,43 @@ AngleLikelihoods angle_likelihoods(const RelativeTilt& tilt, double off, double 
     const double near_flat = 2.0 * normal_density(theta, std::hypot(0.5 * s.sum(), askew)) / circle;
     const double near_right = 2.0 * normal_density(off, std::hypot(so, askew)) / circle;
     const double any = 2.0 / pi / circle;
+    const double near_parallel = prior.nearly_parallel * near_flat;
+    const double near_orthogonal = prior.nearly_orthogonal * near_right;
+    const double anyway = prior.any * any;
+    all += share * (prior.parallel * flat + prior.orthogonal * right + near_parallel +
+                    near_orthogonal + anyway);
+    sum.parallel += share * prior.parallel * flat;
+    sum.orthogonal += share * prior.orthogonal * right;
     const double in_cone = tilt_likelihood(tilt.mean, s, tolerance);
     const double in_band = between_likelihood(off, -tolerance, tolerance, so);
-    // What is nearly parallel is within 5 degrees with 0.95; of a poor measurement that remains.
-    const auto shrunk = [&](double likelihood, double sigma) {
-      const double poor = sqr(sigma) / (sqr(sigma) + sqr(askew));
-      return poor * 0.95 + (1.0 - poor) * likelihood;
-    };
-    all += share *
-           (prior.parallel * flat + prior.orthogonal * right + prior.nearly_parallel * near_flat +
-            prior.nearly_orthogonal * near_right + prior.any * any);
-    sum.parallel += share * (prior.parallel * flat +
-                             prior.nearly_parallel * near_flat * shrunk(in_cone, 0.5 * s.sum()) +
-                             (prior.any * any + prior.nearly_orthogonal * near_right) * in_cone);
-    sum.orthogonal += share * (prior.orthogonal * right +
-                               prior.nearly_orthogonal * near_right * shrunk(in_band, so) +
-                               (prior.any * any + prior.nearly_parallel * near_flat) * in_band);
+    // Of what is nearly so, the true tilt is between the measured one and none.
+    const Eigen::Array2d poor = s.array().square() / (s.array().square() + sqr(askew));
+    const double in_cone_near = tilt_likelihood(((1.0 - poor) * tilt.mean.array()).matrix(),
+                                                (askew * poor.sqrt()).matrix(), tolerance);
+    const double poor_off = sqr(so) / (sqr(so) + sqr(askew));
+    const double in_band_near = between_likelihood((1.0 - poor_off) * off, -tolerance, tolerance,
+                                                   askew * std::sqrt(poor_off));
+    sum.parallel += share * (near_parallel * in_cone_near + (anyway + near_orthogonal) * in_cone);
+    sum.orthogonal += share * (near_orthogonal * in_band_near + (anyway + near_parallel) * in_band);
   }
+  // What was measured of a plane that lies any way says nothing: what rooms are
+  // like remains.
+  const double any = lost / (pi * pi * std::hypot(theta, tilt.sigma.mean(), angle_softness));
+  const double by_chance = prior.any * tolerance / (0.5 * pi);
+  const double near = tolerance / askew;
+  all += any;
+  sum.parallel +=
+      any * (prior.parallel + prior.nearly_parallel * -std::expm1(-0.5 * sqr(near)) + by_chance);
+  sum.orthogonal += any * (prior.orthogonal +
+                           prior.nearly_orthogonal * std::erf(near / std::sqrt(2.0)) + by_chance);
   if (all <= 0.0) return {0.0, 0.0};
   return {std::clamp(sum.parallel / all, 0.0, 1.0), std::clamp(sum.orthogonal / all, 0.0, 1.0)};
+}
+
+/// How likely a plane lies any way: few points within the noise turn it, and
+/// the more its fit says that it may be turned, the likelier that it was.
+double lost_share(double tilt_sigma, const RelationModel& model) {
+  return std::min(most_lost, model.lost_planes * tilt_sigma);
 }
 
 struct PairAngle {
@@ -114,7 +135,9 @@ PairAngle pair_angle(const Item& a, const Item& b, const RelationModel& model) {
       b.normal.dot(a.normal_covariance * b.normal) + a.normal.dot(b.normal_covariance * a.normal);
   const double off_sigma = std::sqrt(std::max(0.0, variance));
   const auto tilt = relative_tilt(a.normal, b.normal, a.normal_covariance + b.normal_covariance);
-  return {angle_likelihoods(tilt, 0.5 * pi - theta, off_sigma, angle_tolerance,
+  const double found =
+      (1.0 - lost_share(a.tilt_sigma, model)) * (1.0 - lost_share(b.tilt_sigma, model));
+  return {angle_likelihoods(tilt, 0.5 * pi - theta, off_sigma, 1.0 - found, angle_tolerance,
                             between_faces(model), model),
           theta, 0.5 * pi - theta, off_sigma};
 }
@@ -127,8 +150,8 @@ AngleLikelihoods level(const Item& a, const Surrounding& around, double toleranc
   const Eigen::Matrix3d covariance =
       a.normal_covariance + sqr(around.up_sigma) * Eigen::Matrix3d::Identity();
   return angle_likelihoods(relative_tilt(Eigen::Vector3d::UnitZ(), a.normal, covariance),
-                           0.5 * pi - *theta, *off_sigma, tolerance, to_gravity(*around.model),
-                           *around.model);
+                           0.5 * pi - *theta, *off_sigma, lost_share(a.tilt_sigma, *around.model),
+                           tolerance, to_gravity(*around.model), *around.model);
 }
 
 }  // namespace

@@ -49,44 +49,71 @@ Eigen::Vector3d segment_segment(const Eigen::Vector3d& p1, const Eigen::Vector3d
   return p2 + d2 * t - p1 - d1 * s;
 }
 
-/// Step from a point to the rectangle where it projects into it; infinite elsewhere (edges answer
-/// for that).
-Eigen::Vector3d point_face(const Eigen::Vector3d& p, const Item& face) {
-  const Eigen::Vector3d d = p - face.center;
-  if (std::abs(d.dot(face.along)) > face.half_length ||
-      std::abs(d.dot(face.across)) > face.half_width)
-    return Eigen::Vector3d::Constant(INFINITY);
-  const Eigen::Vector3d n = face.along.cross(face.across);
-  return -n * n.dot(d);
+/// A rectangle with what each distance from it needs.
+struct Face {
+  const Item& item;
+  Quad corner;
+  Eigen::Vector3d normal;
+  std::array<Eigen::Vector3d, 4> middle;  // of side i, from corner i to the next
+  std::array<double, 4> half;             // its half length
+};
+
+Face face_of(const Item& item) {
+  Face face{item, corners(item), item.along.cross(item.across), {}, {}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    face.middle[i] = 0.5 * (face.corner[i] + face.corner[(i + 1) % 4]);
+    face.half[i] = i % 2 == 0 ? item.half_length : item.half_width;
+  }
+  return face;
 }
 
-/// True if the segment runs through the rectangle.
-bool pierces(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Item& face) {
-  const Eigen::Vector3d n = face.along.cross(face.across);
-  const double a = n.dot(p - face.center);
-  const double b = n.dot(q - face.center);
+bool holds(const Item& face, const Eigen::Vector3d& from_middle) {
+  return std::abs(from_middle.dot(face.along)) <= face.half_length &&
+         std::abs(from_middle.dot(face.across)) <= face.half_width;
+}
+
+/// Heights of another one's corners over the plane of a face.
+std::array<double, 4> heights_over(const Face& face, const Quad& corner) {
+  std::array<double, 4> heights;
+  for (std::size_t i = 0; i < 4; ++i) heights[i] = face.normal.dot(corner[i] - face.item.center);
+  return heights;
+}
+
+/// True if the side i of a rectangle with these heights runs through the face.
+bool pierces(const Quad& corner, const std::array<double, 4>& heights, std::size_t i,
+             const Face& face) {
+  const std::size_t next = (i + 1) % 4;
+  const double a = heights[i], b = heights[next];
   if (a * b > 0.0 || a == b) return false;
-  const Eigen::Vector3d d = p + (q - p) * (a / (a - b)) - face.center;
-  return std::abs(d.dot(face.along)) <= face.half_length &&
-         std::abs(d.dot(face.across)) <= face.half_width;
+  const Eigen::Vector3d at = corner[i] + (corner[next] - corner[i]) * (a / (a - b));
+  return holds(face.item, at - face.item.center);
 }
 
 Eigen::Vector3d rectangles(const Item& a, const Item& b) {
-  const Quad ca = corners(a);
-  const Quad cb = corners(b);
+  const Face fa = face_of(a), fb = face_of(b);
+  const auto a_over_b = heights_over(fb, fa.corner), b_over_a = heights_over(fa, fb.corner);
   Eigen::Vector3d best = Eigen::Vector3d::Constant(INFINITY);
   double least = INFINITY;
   const auto offer = [&](const Eigen::Vector3d& step) {
     const double length = step.squaredNorm();
     if (length < least) best = step, least = length;
   };
-  for (int i = 0; i < 4; ++i) {
-    offer(point_face(ca[i], b));
-    offer(-point_face(cb[i], a));
-    if (pierces(ca[i], ca[(i + 1) % 4], b) || pierces(cb[i], cb[(i + 1) % 4], a))
+  // Corners over the other face; where they are not, the sides answer for them.
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (pierces(fa.corner, a_over_b, i, fb) || pierces(fb.corner, b_over_a, i, fa))
       return Eigen::Vector3d::Zero();
-    for (int j = 0; j < 4; ++j)
-      offer(segment_segment(ca[i], ca[(i + 1) % 4], cb[j], cb[(j + 1) % 4]));
+    if (holds(b, fa.corner[i] - b.center)) offer(-fb.normal * a_over_b[i]);
+    if (holds(a, fb.corner[i] - a.center)) offer(fa.normal * b_over_a[i]);
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      // Sides whose middles are far apart come no nearer than that less their halves.
+      const double halves = fa.half[i] + fb.half[j];
+      const double apart = (fa.middle[i] - fb.middle[j]).squaredNorm();
+      if (apart > halves * halves && std::sqrt(apart) - halves > std::sqrt(least)) continue;
+      offer(segment_segment(fa.corner[i], fa.corner[(i + 1) % 4], fb.corner[j],
+                            fb.corner[(j + 1) % 4]));
+    }
   }
   return best;
 }

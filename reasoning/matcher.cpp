@@ -139,7 +139,9 @@ ClauseValue Matcher::evaluate_relation(const Clause& clause, std::int32_t id) co
   const auto consider = [&](double belief, std::int32_t target, int count) {
     if (required && belief < best.value) return false;
     const Item& b = items_[target];
-    if (required && best.target >= 0 && out_of_reach(clause, a, b)) return true;
+    if (required && best.target >= 0 &&
+        (out_of_reach(clause, a, b) || belief * at_most(clause, a, b, *around_.model) < best.value))
+      return true;
     double product = 1.0;
     Evidence weakest;
     for (std::size_t i = 0; i < clause.relations.size(); ++i) {
@@ -193,6 +195,12 @@ ClauseValue Matcher::evaluate_relation(const Clause& clause, std::int32_t id) co
     best.value = seen * none + (1.0 - seen) * 0.5;
   }
   return best;
+}
+
+const std::string& Matcher::text_of(const Clause& clause) const {
+  auto [at, fresh] = texts_.try_emplace(&clause);
+  if (fresh) at->second = clause_text(clause);
+  return at->second;
 }
 
 double Matcher::restriction(const Clause& clause, std::int32_t target) const {

@@ -65,6 +65,8 @@ class Matcher {
   [[nodiscard]] const std::vector<Clause>& clauses(int class_index) const {
     return clauses_[class_index];
   }
+  /// The words of one of the clauses above, or of one nested in it.
+  [[nodiscard]] const std::string& text_of(const Clause& clause) const;
   [[nodiscard]] bool is_group_class(int class_index) const {
     return group_clause_[class_index] >= 0;
   }
@@ -114,6 +116,7 @@ class Matcher {
   mutable std::vector<std::optional<Evidence>> cornered_;      ///< of each item, once asked for
   mutable std::map<std::pair<const Clause*, std::int32_t>, double>
       restrictions_;  ///< of own clauses and their targets, kept while running
+  mutable std::unordered_map<const Clause*, std::string> texts_;  ///< once asked for
   bool running_ = false;
   std::vector<double> group_value_;  ///< P(enough members) of each item, groups only
   SceneExtent extent_;

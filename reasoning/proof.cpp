@@ -10,7 +10,7 @@ ProofClause prove(const Matcher& matcher, const Ontology& ontology, int class_in
                   const Clause& clause, std::int32_t item) {
   const ClauseValue value = matcher.evaluate(class_index, clause, item);
   ProofClause entry;
-  entry.text = clause_text(clause);
+  entry.text = matcher.text_of(clause);
   entry.likelihood = value.value;
   entry.background = background_of(clause);
   entry.measured = value.evidence.measured;

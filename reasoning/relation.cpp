@@ -8,6 +8,7 @@
 #include "reasoning/angle_relations.hpp"
 #include "reasoning/likelihood.hpp"
 #include "reasoning/relation_model.hpp"
+#include "reasoning/size_relations.hpp"
 #include "reasoning/support_relations.hpp"
 
 namespace scanchor {
@@ -60,113 +61,11 @@ Evidence near(const Item& a, const Item& b, double limit, double softness,
   return {value, gap, measured, "m"};
 }
 
-/// Logarithm of the ratio of two sizes, and what is known of it.
-struct SizeRatio {
-  double ratio, sigma;
-  double hidden;  // share expected in the shadow of the smaller one
-};
-
-SizeRatio size_ratio(const Quantity& a, const Quantity& b, double softness) {
-  const double ratio = std::log(a.value / b.value);
-  return {ratio, std::sqrt(sqr(a.sigma / a.value) + sqr(b.sigma / b.value) + sqr(softness)),
-          ratio < 0.0 ? a.hidden : b.hidden};
-}
-
-/// That the sizes are the same within a factor; the smaller one may be cut by a shadow.
-double same(const SizeRatio& size, double factor) {
-  const double limit = std::log(factor);
-  double value = between_likelihood(size.ratio, -limit, limit, size.sigma);
-  if (size.hidden > 0.0) {
-    const double k = (1.0 - size.hidden) / size.hidden;
-    value += (1.0 - value) * std::exp(-k * std::max(0.0, std::abs(size.ratio) - limit));
-  }
-  return value;
-}
-
-/// Rooms hold many things of one make, of one size to half a percent. One face in a few is measured
-/// with what it ran together with, or in part: its deviations are several times as large.
-Evidence same_size(const Item& a, const Item& b, const RelationModel& model) {
-  if (a.extension.value <= 0.0 || b.extension.value <= 0.0 || a.area.value <= 0.0 ||
-      b.area.value <= 0.0)
-    return {0.0, 0.0, 0.0, "1"};
-  double holds = 0.0, all = 0.0;
-  for (const double factor : {1.0, model.misread_factor}) {
-    const double share = factor > 1.0 ? model.misread_share : 1.0 - model.misread_share;
-    const SizeRatio length = size_ratio(a.extension, b.extension, factor * model.size_softness);
-    const SizeRatio area = size_ratio(a.area, b.area, factor * model.size_softness);
-    const double twins = share * model.twin_share * normal_density(length.ratio, length.sigma) *
-                         normal_density(area.ratio, area.sigma);
-    holds += twins + share * model.other_sizes * same(length, 1.15) * same(area, 1.25);
-    all += twins + share * model.other_sizes;
-  }
-  const double ratio = a.extension.value / b.extension.value;
-  const double sigma = ratio * std::hypot(a.extension.sigma / a.extension.value,
-                                          b.extension.sigma / b.extension.value);
-  return {holds / all, ratio, sigma, "1"};
-}
-
 /// Share of the smaller footprint in the larger one, the same whichever is named first.
 double smaller_within(const Item& a, const Item& b) {
   const bool first = a.footprint.area() <= b.footprint.area();
   return first ? footprint_overlap(a.footprint, b.footprint)
                : footprint_overlap(b.footprint, a.footprint);
-}
-
-/// Variance [m2] of where the middle of an item is along u (unit): half of what its sides' lengths
-/// are off, and its plane. `other`: a side may be another reading of the outline.
-double middle_variance(const Item& item, const Eigen::Vector3d& u, bool other) {
-  const auto side = [&](const Quantity& length) {
-    return 0.5 * (other ? length.sigma : std::min(length.sigma, 1.5 * item.edge_sigma));
-  };
-  return sqr(u.dot(item.along) * side(item.extension)) +
-         sqr(u.dot(item.across) * side(item.width)) + sqr(u.dot(item.normal) * item.offset_sigma);
-}
-
-/// Stacked things have their middles on one line, exactly; else middles are anywhere. The middle of
-/// what goes on in a shadow is not where it seems.
-Evidence aligned(const Item& a, const Item& b, const RelationModel& model) {
-  const double size = std::max(std::min(a.extension.value, b.extension.value), 1e-3);
-  const Eigen::Vector3d apart = a.center - b.center;
-  const double distance = apart.head<2>().norm() / size;
-  const Eigen::Vector3d way = distance * size > 1e-9
-                                  ? Eigen::Vector3d(apart.x(), apart.y(), 0.0).normalized()
-                                  : Eigen::Vector3d::UnitX();
-  const Eigen::Vector3d side(-way.y(), way.x(), 0.0);
-  const auto sigma_of = [&](const Eigen::Vector3d& u, bool other) {
-    return std::sqrt(middle_variance(a, u, other) + middle_variance(b, u, other));
-  };
-  double whole = 1.0;
-  for (const Item* item : {&a, &b}) {
-    for (const double open : item->open) whole *= 1.0 - model.shadow_share * sqr(open);
-  }
-  double holds = 0.0, all = 0.0;
-  const auto add = [&](double share, double s_way, double s_side) {
-    const double line =
-        share * model.in_one_line * normal_density(distance, s_way) * normal_density(0.0, s_side);
-    holds += line + share * cone_likelihood(distance, 0.15,
-                                            std::hypot(s_way, s_side) * 0.70710678118654752);
-    all += line + share;
-  };
-  const auto soft = [&](double sigma) { return std::hypot(sigma / size, model.middle_softness); };
-  const double other = whole * model.other_reading;
-  add(whole - other, soft(sigma_of(way, false)), soft(sigma_of(side, false)));
-  if (other > 0.0) add(other, soft(sigma_of(way, true)), soft(sigma_of(side, true)));
-  if (whole < 0.99)
-    add(1.0 - whole, soft(model.open_middle * size), soft(model.open_middle * size));
-  double value = holds / all;
-  // Stacked (S22): two things in one place are not one above the other.
-  value *= lower_likelihood(std::abs(a.z - b.z), 0.05,
-                            std::hypot(sigma_of(Eigen::Vector3d::UnitZ(), false), 0.003));
-  const bool elongated = a.half_length > 1.3 * a.half_width && b.half_length > 1.3 * b.half_width;
-  if (elongated && value > 1e-6) {
-    const double turn = angle_between(a.along, b.along);
-    const auto turn_sigma = [](const Item& item) {
-      return item.edge_sigma / std::max(item.extension.value, 0.05);
-    };
-    const double sigma = std::sqrt(sqr(turn_sigma(a)) + sqr(turn_sigma(b)) + sqr(radians(1.0)));
-    value *= between_likelihood(turn, -angle_tolerance, angle_tolerance, sigma);
-  }
-  return {value, distance, sigma_of(way, true) / size, "1"};
 }
 
 /// One over the other like boards, drawers or boxes. Shadows and what lies on them cut such things
@@ -189,8 +88,17 @@ Evidence coplanar(const Item& a, const Item& b, double limit, const RelationMode
   // on.
   const bool first = a.area.value >= b.area.value;
   const auto [distance, variance] = first ? offset(a, b) : offset(b, a);
-  const double other = first ? b.offset_sigma : a.offset_sigma;
-  const double measured = std::sqrt(std::max(0.0, variance) + sqr(other));
+  // Where they lie in one plane, the one whose direction is known better says
+  // so as well.
+  const auto [distance_other, variance_other] = first ? offset(b, a) : offset(a, b);
+  const bool surer = variance_other < variance;
+  const auto measured_of = [&](double variance_there, double offset_sigma) {
+    return std::sqrt(std::max(0.0, variance_there) + sqr(offset_sigma));
+  };
+  const double measured = measured_of(variance, first ? b.offset_sigma : a.offset_sigma);
+  const double exact_distance = surer ? distance_other : distance;
+  const double exact_measured =
+      surer ? measured_of(variance_other, first ? a.offset_sigma : b.offset_sigma) : measured;
   // Some parallel faces of rooms lie in one plane to the millimetre (doors of a cabinet, panels,
   // boards of one height); the others are spread at about one a metre and pair. The middle of what
   // goes on in a shadow lies elsewhere, and so off the plane where the two are not quite parallel.
@@ -202,14 +110,18 @@ Evidence coplanar(const Item& a, const Item& b, double limit, const RelationMode
   for (const double factor : {1.0, model.gross_factor}) {
     const double share = factor > 1.0 ? model.gross_offset_share : 1.0 - model.gross_offset_share;
     const double s = std::hypot(factor * measured, elsewhere, model.plane_softness);
+    const double s_exact = std::hypot(factor * exact_measured, elsewhere, model.plane_softness);
     const double exact =
-        limit > 0.0 ? share * model.in_one_plane * 2.0 * normal_density(distance, s) : 0.0;
+        limit > 0.0 ? share * model.in_one_plane * 2.0 * normal_density(exact_distance, s_exact)
+                    : 0.0;
     holds += exact + share * between_likelihood(distance, -limit, limit, s);
     all += exact + share;
   }
-  const double flat = holds / all;
-  return {flat > 1e-6 ? flat * parallel_relation(a, b, model).likelihood : 0.0, distance, measured,
-          "m"};
+  if (holds <= 1e-6 * all) return {0.0, distance, measured, "m"};
+  // That they lie in one plane speaks for their being parallel, too.
+  const double parallel = parallel_relation(a, b, model).likelihood;
+  const double value = parallel * holds / (parallel * all + 1.0 - parallel);
+  return {value, distance, measured, "m"};
 }
 
 Evidence sideways(Relation relation, const Item& a, const Item& b, const Surrounding& around) {
@@ -346,9 +258,9 @@ Evidence relate(const RelationTerm& term, const Item& a, const Item& b, const Su
     case Relation::touching:
       return near(a, b, 0.05, 0.02, model);
     case Relation::same_size:
-      return same_size(a, b, model);
+      return same_size_relation(a, b, model);
     case Relation::aligned:
-      return aligned(a, b, model);
+      return aligned_relation(a, b, model);
     case Relation::stacked:
       return stacked(a, b);
     case Relation::coplanar:

@@ -20,6 +20,7 @@ struct RelationModel {
   double flatness = 0.3;
   double gross_share = 0.05;
   double gross_factor = 5.0;
+  double lost_planes = 1.0;
   double askew = 3.0;
   double faces_parallel = 0.07;
   double faces_nearly_parallel = 0.09;
@@ -45,13 +46,10 @@ struct RelationModel {
   double tail_share = 0.1;
   double foreign_share = 0.03;
   double foreign_scale = 0.15;
-  double upright_contact = 0.40;
-  double upright_feet = 0.15;
-  double upright_higher = 0.30;
-  double upright_past = 0.10;
-  double level_feet = 0.10;
-  double level_higher = 0.50;
-  double level_past = 0.02;
+  double upright_contact = 1.3;
+  double upright_feet = 0.5;
+  double upright_past = 0.33;
+  double level_feet = 0.2;
   // Near.
   double near_softness = 0.03;
   double near_meets = 0.7;
@@ -62,16 +60,16 @@ struct RelationModel {
   double hidden_middle = 0.3;
   double gross_offset_share = 0.02;
   // Same size.
-  double twin_share = 0.01;
-  double other_sizes = 0.25;
-  double size_softness = 0.05;
-  double misread_share = 0.1;
-  double misread_factor = 5.0;
+  double twins = 0.04;
+  double side_by_area = 0.3;
+  double size_softness = 0.02;
+  double misread_share = 0.3;
+  double misread_factor = 4.0;
   // Vertically aligned.
   double middle_softness = 0.02;
   double in_one_line = 0.02;
-  double other_reading = 0.2;
-  double open_middle = 0.2;
+  double axes_agree = 0.7;
+  double turn_softness = 1.0;
   // Left of, in front of.
   double bearing_softness = 0.3;
 };
@@ -80,7 +78,8 @@ struct RelationModel {
 struct RelationConstant {
   const char* name;
   const char* unit;  ///< "deg", "m", "1"
-  const char* part;  ///< constants of one part are fitted together: "planes", "angles", ...
+  const char* part;  ///< constants of one part are fitted together: "planes",
+                     ///< "angles", ...
   const char* meaning;
   double RelationModel::*value;
   double low, high;

@@ -14,6 +14,7 @@ namespace {
 constexpr double held_margin = 0.025;  // [m] that footprints of items hold
 constexpr double level_cosine = 0.94;  // normals this near to vertical: 20 degrees
 constexpr double unseen_reach = 0.35;  // of its length that a thing is taken to go on unseen
+constexpr double level_past = 0.04;    // level faces reach past a level one hardly ever (GapPrior)
 
 bool is_level(const Item& item) { return !item.group && std::abs(item.normal.z()) > level_cosine; }
 
@@ -63,10 +64,11 @@ double overlap_likelihood(const Item& a, const Item& b, const RelationModel& mod
   return value;
 }
 
-/// How gaps between the lower end of a thing and a level face below its middle are spread [1/m]: in
-/// contact, on feet or a plinth, somewhere above, or reaching past it.
+/// How gaps between the lower end of a thing and a level face below its middle
+/// are spread, against a metre somewhere above it: in contact and on feet or a
+/// plinth [m], and a metre past it.
 struct GapPrior {
-  double contact, feet, higher, past;  // shares of the first two, densities of the others
+  double contact, feet, past;
 };
 
 struct GapLikelihoods {
@@ -80,9 +82,8 @@ GapLikelihoods gap_likelihoods(const Item& a, double gap, double s, const Relati
   const double slope = longer ? a.along.z() : a.across.z();
   const bool upright = !a.group && std::abs(slope) > 0.3;
   const GapPrior prior =
-      upright || a.group ? GapPrior{model.upright_contact, model.upright_feet, model.upright_higher,
-                                    model.upright_past}
-                         : GapPrior{0.0, model.level_feet, model.level_higher, model.level_past};
+      upright || a.group ? GapPrior{model.upright_contact, model.upright_feet, model.upright_past}
+                         : GapPrior{0.0, model.level_feet, level_past};
   const int side = (longer ? 0 : 2) + (slope > 0.0 ? 1 : 0);
   const double length =
       std::max(0.05, 2.0 * (longer ? a.half_length : a.half_width) * std::abs(slope));
@@ -115,7 +116,7 @@ GapLikelihoods gap_likelihoods(const Item& a, double gap, double s, const Relati
   double feet = 0.0;
   for (const double t : {0.04, 0.085, 0.13}) feet += prior.feet / 3.0 * measured_at(gap - t);
   if (!upright) feet = prior.feet / 0.13 * between_likelihood(gap, 0.0, 0.15, s);
-  const double higher = prior.higher * above_t(0.15);
+  const double higher = above_t(0.15);
   const double lower = prior.past * (1.0 - above_t(-0.03));
   const double all = contact + feet + higher + lower;
   if (all <= 0.0) return {0.0, gap > -0.05 ? 1.0 : 0.0};
@@ -183,7 +184,8 @@ Evidence on_relation(const Item& a, const Item& b, const Surrounding& around) {
   const double gap = a.z_low - top_under(b, a);
   double value = lower_likelihood(a.z - b.z, 0.0, s);
   if (value > 1e-6) value *= gap_likelihoods(a, gap, s, model).on;
-  if (value > 1e-6) value *= horizontal(b, around).likelihood * overlap_likelihood(a, b, model);
+  if (value > 1e-6) value *= overlap_likelihood(a, b, model);
+  if (value > 1e-6) value *= horizontal(b, around).likelihood;
   return {value, gap, measured, "m"};
 }
 

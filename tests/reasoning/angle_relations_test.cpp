@@ -50,6 +50,20 @@ TEST(AngleRelations, ARightAngleNeedsTheTiltInThePlaneOfBoth) {
             0.9);
 }
 
+TEST(AngleRelations, OfAPlaneThatIsHardlyKnownNothingIsSure) {
+  // Measured at a right angle to the dot, but by a strip that may lie any way.
+  const Eigen::Matrix3d vague = std::pow(radians(15.0), 2) * Eigen::Matrix3d::Identity();
+  const Item wall = item_facing(turned(0), about_z(0.1));
+  const Item strip = item_facing(turned(90), vague);
+  RelationModel none = usual_angles, many = usual_angles;
+  none.lost_planes = 0.0;
+  many.lost_planes = 2.0;
+  EXPECT_LT(orthogonal_relation(wall, strip, many).likelihood,
+            orthogonal_relation(wall, strip, none).likelihood);
+  const Item sure = item_facing(turned(90), about_z(0.1));
+  EXPECT_GT(orthogonal_relation(wall, sure, many).likelihood, 0.99);
+}
+
 TEST(AngleRelations, SumToAtMostOne) {
   SequentialRandom random(5);
   for (int i = 0; i < 500; ++i) {

@@ -80,5 +80,17 @@ TEST(Reach, WhatLiesFartherInPlanIsOutOfReach) {
   EXPECT_TRUE(std::isinf(reach_of(clause_of(Relation::parallel), random_items(random)[0])));
 }
 
+TEST(Reach, NoTargetIsLikelierThanTheBoxesSay) {
+  int bounded = 0;
+  for (const std::uint64_t seed : {21, 22, 23}) {
+    each_pair(seed, [&](const Clause& clause, const Item& a, const Item& b) {
+      const double most = at_most(clause, a, b, relation_model());
+      EXPECT_LE(relate(clause.relations[0], a, b, {}).likelihood, most);
+      if (most < 0.9) ++bounded;
+    });
+  }
+  EXPECT_GT(bounded, 100);
+}
+
 }  // namespace
 }  // namespace scanchor

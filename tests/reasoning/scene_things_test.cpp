@@ -49,7 +49,7 @@ TEST(SceneThings, AStandThatWasNotSeenHoldsAScreenUpButNoPicture) {
   };
   EXPECT_GT(on(0.05, 2.5), 0.95);
   EXPECT_GT(on(0.30, 2.5), 0.95) << "on a stand";
-  EXPECT_LT(on(0.60, 2.5), 0.05) << "nothing holds it up";
+  EXPECT_LT(on(0.60, 2.5), 0.1) << "nothing holds it up";
   EXPECT_LT(on(0.30, 1.65), 0.2) << "it hangs on the wall behind it";
 }
 
