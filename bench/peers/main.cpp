@@ -35,7 +35,7 @@ struct Method {
 };
 
 struct Result {
-  double cpu_ms = 0.0, wall_ms = 0.0, megabytes = 0.0;
+  double first_ms = 0.0, cpu_ms = 1e300, wall_ms = 1e300, megabytes = 0.0;
   support::PlaneScore score;
 };
 
@@ -86,16 +86,27 @@ double resident_megabytes() {
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1048576.0;
 }
 
+// The first turn of a process also pays for memory that the system hands out page by page and for
+// what is loaded when it is first called: it stands for itself, and the best of all turns counts.
 Result measure(const Method& method, const PointCloud& cloud,
-               const std::vector<std::int32_t>& truth, const peers::PeerOptions& options) {
+               const std::vector<std::int32_t>& truth, const peers::PeerOptions& options,
+               int turns) {
   Result result;
-  const double before_mb = resident_megabytes(), before_cpu = cpu_ms();
-  const auto before = std::chrono::steady_clock::now();
-  const auto labels = method.run(cloud, options);
-  result.wall_ms =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
-  result.cpu_ms = cpu_ms() - before_cpu;
-  result.megabytes = std::max(0.0, peak_megabytes() - before_mb);
+  peers::Labels labels;
+  for (int turn = 0; turn < turns; ++turn) {
+    const double before_mb = resident_megabytes(), before_cpu = cpu_ms();
+    const auto before = std::chrono::steady_clock::now();
+    labels = method.run(cloud, options);
+    const double wall =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before)
+            .count();
+    const double cpu = cpu_ms() - before_cpu;
+    result.wall_ms = std::min(result.wall_ms, wall);
+    result.cpu_ms = std::min(result.cpu_ms, cpu);
+    if (turn > 0) continue;
+    result.first_ms = cpu;
+    result.megabytes = std::max(0.0, peak_megabytes() - before_mb);
+  }
   if (!truth.empty()) result.score = support::score_planes(truth, labels, 0.8, truth.size() / 2000);
   return result;
 }
@@ -103,17 +114,18 @@ Result measure(const Method& method, const PointCloud& cloud,
 void print_row(const std::string& name, const Result& r) {
   const auto& s = r.score;
   fmt::print(
-      "{:<32} {:>8.0f} {:>8.0f} {:>7.1f} {:>4}/{:<4} {:>5} {:>6} {:>7} {:>6} {:>8.3f} {:>7.3f} "
+      "{:<32} {:>8.0f} {:>8.0f} {:>8.0f} {:>7.1f} {:>4}/{:<4} {:>5} {:>6} {:>7} {:>6} {:>8.3f} "
+      "{:>7.3f} "
       "{:>8.3f}\n",
-      name, r.cpu_ms, r.wall_ms, r.megabytes, s.correct, s.planes, s.over, s.under, s.missed,
-      s.spurious, s.precision, s.recall, s.small_recall);
+      name, r.first_ms, r.cpu_ms, r.wall_ms, r.megabytes, s.correct, s.planes, s.over, s.under,
+      s.missed, s.spurious, s.precision, s.recall, s.small_recall);
   std::fflush(stdout);
 }
 
 int run(int argc, char** argv) {
   CLI::App app{"Planes of other libraries beside ours, on one cloud"};
   std::string file, truth_field, only;
-  int first = 0;
+  int first = 0, turns = 3;
   std::uint64_t seed = 0;
   support::RayGrid grid;
   peers::PeerOptions options;
@@ -126,6 +138,7 @@ int run(int argc, char** argv) {
   app.add_option("--sigma", options.sigma,
                  "[m] range noise: of the scan, and what the methods are told");
   app.add_option("--neighbours", options.neighbours, "k of the peers' normals");
+  app.add_option("--turns", turns, "runs of each method; the best time counts");
   app.add_option("--only", only, "methods whose name contains this");
   CLI11_PARSE(app, argc, argv);
 
@@ -160,16 +173,16 @@ int run(int argc, char** argv) {
 #endif
   };
   fmt::print("{} points, one thread\n", cloud.size());
-  fmt::print("{:<32} {:>8} {:>8} {:>7} {:>9} {:>5} {:>6} {:>7} {:>6} {:>8} {:>7} {:>8}\n", "method",
-             "CPU ms", "wall ms", "MB", "correct", "over", "under", "missed", "spur.", "adjPrec",
-             "adjRec", "smallRec");
+  fmt::print("{:<32} {:>8} {:>8} {:>8} {:>7} {:>9} {:>5} {:>6} {:>7} {:>6} {:>8} {:>7} {:>8}\n",
+             "method", "first ms", "CPU ms", "wall ms", "MB", "correct", "over", "under", "missed",
+             "spur.", "adjPrec", "adjRec", "smallRec");
   std::fflush(stdout);
   for (const auto& method : methods) {
     if (method.name.find(only) == std::string::npos) continue;
     const pid_t child = fork();
     if (child == 0) {
       const ThreadLimit one(1);
-      print_row(method.name, measure(method, cloud, truth, options));
+      print_row(method.name, measure(method, cloud, truth, options, std::max(turns, 1)));
       _exit(0);
     }
     int status = 0;
