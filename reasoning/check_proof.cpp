@@ -297,6 +297,14 @@ class Checker {
         tolerance = 0.02;
         return best;
       }
+      case Relation::set_back: {
+        if (surfaces_.sensor_positions.empty()) return std::nullopt;
+        const auto height = [&](const Eigen::Vector3d& p) {
+          return sb.plane.normal.dot(p - sb.plane.centroid);
+        };
+        const double sensor = height(surfaces_.sensor_positions.front());
+        return sensor >= 0.0 ? -height(sa.plane.centroid) : height(sa.plane.centroid);
+      }
       default:
         return std::nullopt;
     }

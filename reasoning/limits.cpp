@@ -37,6 +37,7 @@ Limits limits_of(const RelationTerm& term) {
     case Relation::elevation:
     case Relation::bottom:
     case Relation::top:
+    case Relation::set_back:
       return {term.range.low, term.range.high};
     case Relation::left_of:
     case Relation::right_of:

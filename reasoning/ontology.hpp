@@ -56,6 +56,7 @@ enum class Relation {
   elevation,  ///< height of the middle above the target's [m]
   bottom,     ///< height of the lower end above the target's middle [m]
   top,        ///< height of the upper end above the target's middle [m]
+  set_back,   ///< depth of the middle behind the target's plane, seen from the sensor [m]
   left_of,
   right_of,
   in_front_of,

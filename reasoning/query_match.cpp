@@ -25,9 +25,10 @@ double place_probability(const std::vector<double>& better, int place) {
   return p.back();
 }
 
-bool is_sideways(Relation relation) {
+bool needs_viewpoint(Relation relation) {
   return relation == Relation::left_of || relation == Relation::right_of ||
-         relation == Relation::in_front_of || relation == Relation::behind;
+         relation == Relation::in_front_of || relation == Relation::behind ||
+         relation == Relation::set_back;
 }
 
 /// The other way round: what was denied, and where nothing was seen, neither yes nor no.
@@ -101,7 +102,7 @@ ClauseMatch QueryMatcher::hold_relation(const QueryClause& clause, std::int32_t 
   bool best_is_one = false;
   double best_distance = INFINITY;
   for (const auto& term : clause.relations) {
-    if (is_sideways(term.relation)) need_viewpoint(relation_words(term.relation));
+    if (needs_viewpoint(term.relation)) need_viewpoint(relation_words(term.relation));
   }
   for (const auto& target : match(clause.targets.front())) {
     if (target.id == id) continue;

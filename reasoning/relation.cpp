@@ -6,6 +6,7 @@
 
 #include "core/math.hpp"
 #include "reasoning/angle_relations.hpp"
+#include "reasoning/depth_relation.hpp"
 #include "reasoning/likelihood.hpp"
 #include "reasoning/relation_model.hpp"
 #include "reasoning/size_relations.hpp"
@@ -275,6 +276,8 @@ Evidence relate(const RelationTerm& term, const Item& a, const Item& b, const Su
     case Relation::bottom:
     case Relation::top:
       return height_above(term, a, b, around);
+    case Relation::set_back:
+      return set_back_relation(term, a, b, around);
     case Relation::left_of:
     case Relation::right_of:
     case Relation::in_front_of:

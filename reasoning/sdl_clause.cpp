@@ -211,6 +211,12 @@ RelationTerm ClauseReader::relation_term() {
     if (!accept("above")) fail(peek(), "'" + word + "' goes on with 'above a floor'");
     return term;
   }
+  if (accept_words(relation_words(Relation::set_back))) {
+    term.relation = Relation::set_back;
+    term.range = range(1, "set back");
+    if (!accept("behind")) fail(peek(), "'set back' a distance goes on with 'behind a wall'");
+    return term;
+  }
   if (accept("within")) {
     term.relation = Relation::near;
     term.range.high = distance(term.range.unit);

@@ -24,6 +24,8 @@ constexpr Everyday everyday_relations[] = {
     {"attached to", "touching"},
     {"connected to", "touching"},
     {"mounted on", "coplanar within 10 cm with"},
+    {"recessed in", "set back 3..35 cm behind"},
+    {"let into", "set back 3..35 cm behind"},
     {"hanging on", "coplanar within 10 cm with"},
     {"on top of", "on"},
     {"standing on", "on"},

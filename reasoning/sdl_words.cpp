@@ -25,6 +25,7 @@ const std::vector<RelationWords>& relation_vocabulary() {
       {Relation::elevation, "elevation", "", false},
       {Relation::bottom, "bottom", "", false},
       {Relation::top, "top", "", false},
+      {Relation::set_back, "set back", "", false},
       {Relation::left_of, "left of", "", false},
       {Relation::right_of, "right of", "", false},
       {Relation::in_front_of, "in front of", "", false},
@@ -139,6 +140,8 @@ std::string term_text(const RelationTerm& term) {
     case Relation::bottom:
     case Relation::top:
       return relation_words(term.relation) + " " + range_text(term.range) + " above";
+    case Relation::set_back:
+      return relation_words(term.relation) + " " + range_text(term.range) + " behind";
     case Relation::near:
       if (!term.range.has_high()) break;
       return range_text(term.range).replace(0, std::string_view("at most").size(), "within") +

@@ -31,17 +31,23 @@ TEST_P(ClauseTable, ReadsAndPrints) {
 
 INSTANTIATE_TEST_SUITE_P(
     Rows, ClauseTable,
-    testing::Values(Row{"area 90..170 cm2", "area 90..170 cm2"},
-                    Row{"width under 0.5 m", "width under 0.5 m"},
-                    Row{"horizontal within 15 deg", "horizontal within 15 deg"},
-                    Row{"parallel and above the desk", "parallel to and above a desk"},
-                    Row{"within 40cm of an old box", "within 40 cm of an old box"},
-                    Row{"coplanar with a wall", "coplanar with a wall"},
-                    Row{"top 1..2 m above a floor", "top 1..2 m above a floor"},
-                    Row{"on a desk that is lowest", "on a desk that is lowest"},
-                    Row{"on a desk (that is lowest)", "on a desk that is lowest"},
-                    Row{"near a desk that is near a box that has area over 1 m2 and lowest",
-                        "near a desk that is near a box that has area over 1 m2 and is lowest"}));
+    testing::Values(
+        Row{"area 90..170 cm2", "area 90..170 cm2"}, Row{"width under 0.5 m", "width under 0.5 m"},
+        Row{"horizontal within 15 deg", "horizontal within 15 deg"},
+        Row{"parallel and above the desk", "parallel to and above a desk"},
+        Row{"within 40cm of an old box", "within 40 cm of an old box"},
+        Row{"coplanar with a wall", "coplanar with a wall"},
+        Row{"top 1..2 m above a floor", "top 1..2 m above a floor"},
+        Row{"set back 3..35 cm behind the wall", "set back 3..35 cm behind a wall"},
+        Row{"set back at least 3 cm behind a wall that is set back 1..2 m behind a door",
+            "set back at least 3 cm behind a wall that is set back 1..2 m behind a "
+            "door"},
+        Row{"coplanar within 35 cm with and set back 3..35 cm behind a wall",
+            "coplanar within 35 cm with and set back 3..35 cm behind a wall"},
+        Row{"on a desk that is lowest", "on a desk that is lowest"},
+        Row{"on a desk (that is lowest)", "on a desk that is lowest"},
+        Row{"near a desk that is near a box that has area over 1 m2 and lowest",
+            "near a desk that is near a box that has area over 1 m2 and is lowest"}));
 
 TEST(SdlClause, DeepDescriptionsEndInAnError) {
   std::string text = "on a desk";
