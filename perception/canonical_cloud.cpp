@@ -124,7 +124,7 @@ Eigen::Isometry3d principal_frame(const std::vector<Eigen::Vector3d>& points,
 }
 
 // An object and no function: a call for each comparison would cost more than it.
-constexpr auto before = [](const Record& p, const Record& q) {
+constexpr auto comes_first = [](const Record& p, const Record& q) {
   if (p.code != q.code) return p.code < q.code;
   if (p.x != q.x) return p.x < q.x;
   if (p.y != q.y) return p.y < q.y;
@@ -137,7 +137,7 @@ constexpr auto before = [](const Record& p, const Record& q) {
 void sort_cell(Record* first, std::size_t n, int bits, Record* scratch) {
   constexpr int most = 9;
   if (n <= 24 || bits == 0) {
-    std::sort(first, first + n, before);
+    std::sort(first, first + n, comes_first);
     return;
   }
   const int step = std::min(bits, n < 512 ? 6 : most);  // not many more bins than records
