@@ -30,16 +30,13 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace
+/// From the second place on, the name tells which.
+std::string scan_name(const std::string& room, std::size_t place) {
+  return place == 0 ? room : room + "." + std::to_string(place + 1);
+}
 
-RoomResult run_room(const SceneTask& task, const Chain& chain, const fs::path& folder) {
-  RoomResult result{task.name, task.room.family, task.seed, 0, 0, {}, {}, {}, {}};
-  StageTimes made_in;
-  const MadeScene made = make_scene(task, 1, &made_in);
-  const Scene& scene = made.scene;
-  const Scan& scan = made.scans.front();
-  result.seconds = {
-      {"generate", made_in.generate}, {"settle", made_in.settle}, {"scan", made_in.scan}};
+void understand(const Scene& scene, const Scan& scan, const Chain& chain, const fs::path& folder,
+                RoomResult& result) {
   Stopwatch watch(result.seconds);
   Surfaces surfaces = find_planes(scan.cloud, chain.perceive);
   watch.lap("planes");
@@ -68,7 +65,26 @@ RoomResult run_room(const SceneTask& task, const Chain& chain, const fs::path& f
     result.pictures = draw_room(folder, scene, scan, surfaces, labelling);
     watch.lap("draw");
   }
-  return result;
+}
+
+}  // namespace
+
+std::vector<RoomResult> run_room(const SceneTask& task, int scans, const Chain& chain,
+                                 const fs::path& out) {
+  StageTimes made_in;
+  const MadeScene made = make_scene(task, scans, &made_in);
+  std::vector<RoomResult> results;
+  const double share = 1.0 / static_cast<double>(made.scans.size());
+  for (std::size_t place = 0; place < made.scans.size(); ++place) {
+    const std::string name = scan_name(task.name, place);
+    RoomResult result{name, task.room.family, task.seed, 0, 0, {}, {}, {}, {}};
+    result.seconds = {{"generate", share * made_in.generate},
+                      {"settle", share * made_in.settle},
+                      {"scan", share * made_in.scan}};
+    understand(made.scene, made.scans[place], chain, out / name, result);
+    results.push_back(std::move(result));
+  }
+  return results;
 }
 
 }  // namespace scanchor::apps

@@ -1,5 +1,6 @@
 #pragma once
-// One room through the whole chain, with every value written where a person can find it.
+// One room through the whole chain, from one place or several, with every value written where a
+// person can find it.
 
 #include <filesystem>
 #include <string>
@@ -37,8 +38,11 @@ struct RoomResult {
   std::vector<std::filesystem::path> pictures;
 };
 
-/// Generates, settles, scans, perceives, reasons, scores and draws; writes scene.json, scan.pcd,
-/// surfaces.json, labels.json, scores.json and the pictures into `folder`.
-RoomResult run_room(const SceneTask& task, const Chain& chain, const std::filesystem::path& folder);
+/// Generates, settles, scans from `scans` of the room's places, perceives, reasons, scores and
+/// draws; writes scene.json, scan.pcd, surfaces.json, labels.json, scores.json and the pictures
+/// into a folder of `out` for each scan: 07 for the first place, 07.2 for the second. The times of
+/// the room itself are shared among its scans.
+std::vector<RoomResult> run_room(const SceneTask& task, int scans, const Chain& chain,
+                                 const std::filesystem::path& out);
 
 }  // namespace scanchor::apps

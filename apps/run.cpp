@@ -29,6 +29,7 @@ struct RunArguments {
   std::string ontology = "office";
   std::string protocol = "scanchor-1";
   int scenes = 0;
+  int scans = 0;
   std::uint64_t seed = 0;
   bool pictures = true;
 };
@@ -47,6 +48,7 @@ Suite chosen_suite(const RunArguments& arguments) {
   }
   if (!arguments.family.empty()) suite.families = {{arguments.family, 1.0}};
   if (arguments.scenes > 0) suite.scenes = arguments.scenes;
+  if (arguments.scans > 0) suite.scans = arguments.scans;
   if (arguments.seed > 0) suite.seed = arguments.seed;
   return suite;
 }
@@ -82,7 +84,7 @@ void print_stages(const Common& common, const std::vector<RoomResult>& rooms) {
     line += fmt::format("{}{} {:.0f}", line.empty() ? "" : ", ", rooms.front().seconds[stage].first,
                         laps[laps.size() / 2]);
   }
-  say(common, "\nTimes per room [ms, median]: " + line + ".");
+  say(common, "\nTimes per scan [ms, median]: " + line + ".");
 }
 
 int run_run(RunArguments& arguments) {
@@ -102,14 +104,18 @@ int run_run(RunArguments& arguments) {
   make_folder(out);
   const auto tasks = scene_tasks(suite);
   std::vector<RoomResult> rooms;
+  std::size_t done = 0;
   Score total;
   {
     Progress progress("rooms", tasks.size(),
                       {.quiet = arguments.common.quiet || arguments.common.json});
     for (const auto& task : tasks) {
       if (interrupted) break;
-      rooms.push_back(run_room(task, chain, out / task.name));
-      total.add(rooms.back().score);
+      for (auto& scan : run_room(task, suite.scans, chain, out)) {
+        total.add(scan.score);
+        rooms.push_back(std::move(scan));
+      }
+      ++done;
       progress.add();
     }
   }
@@ -124,10 +130,11 @@ int run_run(RunArguments& arguments) {
 
   const Common& common = arguments.common;
   const TableOptions style{terminal_width(stdout), wants_color(stdout), 0};
-  say(common, fmt::format("Scanchor put {} {} through the chain: {:.0f} mm range noise, described "
-                          "by '{}', scored by {}.\n",
-                          rooms.size(), rooms.size() == 1 ? "room" : "rooms",
-                          1e3 * suite.lidar.range_sigma, chain.ontology.name, chain.protocol.name));
+  say(common, fmt::format("Scanchor put {} {} of {} {} through the chain: {:.0f} mm range noise, "
+                          "described by '{}', scored by {}.\n",
+                          rooms.size(), rooms.size() == 1 ? "scan" : "scans", done,
+                          done == 1 ? "room" : "rooms", 1e3 * suite.lidar.range_sigma,
+                          chain.ontology.name, chain.protocol.name));
   Table overview({"room", "family", "points", "surfaces", "there", "found", "wrong"});
   for (const auto& room : rooms) {
     const auto counts = room.objects.score.total();
@@ -177,6 +184,9 @@ void add_run(CLI::App& root, ExitCodeSlot& code) {
       ->capture_default_str();
   verb->add_option("--scenes", arguments->scenes, "Number of rooms; 0: as the suite says")
       ->check(CLI::Range(0, 1000000));
+  verb->add_option("--scans", arguments->scans,
+                   "Scans of each room, from its places in turn; 0: as the suite says")
+      ->check(CLI::Range(0, 10000));
   verb->add_option("--seed", arguments->seed, "Seed; 0: as the suite says");
   verb->add_option("--family", arguments->family, "Only this family of rooms");
   verb->add_option("--ontology", arguments->ontology, "Descriptions: a name or a .sdl file")

@@ -15,7 +15,7 @@ measure() {  # title, folder, arguments...
   printf '\n## %s\n\n`scanchor run --family office --scenes %s --seed %s --no-pictures %s`\n\n```\n' "$title" "$scenes" "$seed" "$*"
   sed -n '/^class/,/^all/p' "$work/$folder.txt"
   printf '\n'
-  grep -E 'could hardly be seen|has no word for|^Times per room' "$work/$folder.txt" || true
+  grep -E 'could hardly be seen|has no word for|^Times per' "$work/$folder.txt" || true
   printf '```\n'
 }
 
