@@ -56,7 +56,8 @@ class Truth {
   std::vector<int> of_item;
 
  private:
-  /// Of the thing itself, its kinds and its parts the one whose features the item has most.
+  /// Of the thing itself and its parts the one whose features the item has most; of the kinds of
+  /// that the one whose own words, relations too, hold best, where they hold rather than not.
   static int nearest(const Ontology& ontology, const Matcher& matcher, int whole,
                      const Item& item) {
     int best = -1;
@@ -78,7 +79,29 @@ class Truth {
         best = index;
       }
     }
-    return best;
+    return best < 0 ? best : kind_of(ontology, matcher, best, item);
+  }
+
+  static int kind_of(const Ontology& ontology, const Matcher& matcher, int whole,
+                     const Item& item) {
+    int best = whole;
+    double most = 0.5;
+    for (std::size_t c = 0; c < ontology.classes.size(); ++c) {
+      const auto& description = ontology.classes[c];
+      const int index = static_cast<int>(c);
+      if (description.parent != ontology.classes[whole].name() ||
+          matcher.is_group_class(index) != item.group || matcher.belief(index, item.id) <= 0.0)
+        continue;
+      double fit = 1.0;
+      for (const auto& clause : description.clauses) {
+        if (!clause.usually) fit *= matcher.evaluate(index, clause, item.id).value;
+      }
+      if (fit > most) {
+        most = fit;
+        best = index;
+      }
+    }
+    return best == whole ? whole : kind_of(ontology, matcher, best, item);
   }
 };
 

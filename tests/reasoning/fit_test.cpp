@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "core/error.hpp"
 #include "core/random.hpp"
@@ -109,6 +110,40 @@ TEST(Fit, RefusesWhatDoesNotMatch) {
   auto broken = scene(1);
   broken.classes.pop_back();
   EXPECT_THROW(fit_backgrounds(ontology, {broken}, {}, "x"), Error);
+}
+
+/// What is truly a panel teaches the kind of panel that its relations make it.
+TEST(Fit, KindsAreTaughtByTheirOwnWords) {
+  const auto ontology = parse_ontology(std::string(classes) + R"(
+class lone panel is a panel:
+    not within 20 cm of a slab
+class close panel is a panel:
+    within 20 cm of a slab
+)",
+                                       "x.sdl");
+  const auto room = [](bool close) {
+    TrainingScene result;
+    std::vector<test::Plate> plates(2);
+    plates[0].length = 0.75;
+    plates[1].length = 0.75;
+    plates[1].normal = Eigen::Vector3d::UnitY();
+    plates[1].center = {0, close ? 0.1 : 2.0, 0};
+    result.classes = {"slab", "panel"};
+    result.surfaces = test::make_surfaces(plates);
+    return result;
+  };
+  std::vector<TrainingScene> scenes;
+  for (int i = 0; i < 40; ++i) scenes.push_back(room(i % 4 != 0));
+  const auto background = fit_backgrounds(ontology, scenes, {}, "x");
+  std::map<std::string, double> prior(background.priors.begin(), background.priors.end());
+  EXPECT_LT(prior["panel"], 0.1 * prior["lone panel"]) << "each is of one kind or the other";
+  Ontology fitted = ontology;
+  apply_background(fitted, background);
+  for (const bool close : {true, false}) {
+    const auto labelling = reason(room(close).surfaces, fitted, {});
+    EXPECT_EQ(labelling.entities[1].label, close ? "close panel" : "lone panel");
+    EXPECT_GT(test::probability_of(labelling.entities[1], "panel"), 0.8) << "kinds count for it";
+  }
 }
 
 /// Two ends that face each other, and two that stand one behind the other.
