@@ -75,6 +75,8 @@ Protocol builtin(const std::string& name) {
   Protocol p;
   if (name == "scanchor-1") return p;
   p.name = name;
+  p.version = 1;
+  p.merge = {};
   p.ignore_flags = {"ghost", "out_of_range"};
   p.min_visible = 0.0;
   if (name == "coco") {
@@ -110,6 +112,10 @@ void Protocol::describe(OptionList& list) {
            1e9);
   list.add("min_visible", min_visible, "1", "a thing less of whose faces was seen is ignored", 0,
            1);
+  list.add("large_face", large_face, "1", "share of a thing's largest face that makes a large face",
+           0, 1);
+  list.add("min_face_points", min_face_points, "points", "a large face with fewer is not seen", 0,
+           1e9);
   list.add("small", small, "what becomes of small things", {"ignore", "unpunished"});
   list.add("match_iou", match_iou, "1", "a match has a larger intersection over union", 0.5, 1);
   list.add("void_points", void_points, "predicted points without truth", {"subtract", "remove"});
@@ -222,10 +228,18 @@ Protocol protocol_from_text(const std::string& text, const std::string& file) {
   return protocol;
 }
 
-std::string protocol_to_text(const Protocol& protocol) {
+namespace {
+
+/// `newer`: also keys that came after the first stored runs and are as if they had not.
+std::string protocol_text(const Protocol& protocol, bool newer) {
   Protocol copy = protocol;
   OptionList list;
   copy.describe(list);
+  const Protocol plain;
+  const auto as_before = [&](const std::string& key) {
+    return (key == "large_face" && protocol.large_face == plain.large_face) ||
+           (key == "min_face_points" && protocol.min_face_points == plain.min_face_points);
+  };
   std::string text = fmt::format("name: \"{}\"\n", protocol.name);
   text += fmt::format("classes: {}  # empty: all\n", list_text(protocol.classes));
   text += "merge: {";
@@ -239,6 +253,7 @@ std::string protocol_to_text(const Protocol& protocol) {
   text += fmt::format("ap_thresholds: {}\n", list_text(protocol.ap_thresholds));
   text += fmt::format("plane_tolerances: {}\n", list_text(protocol.plane_tolerances));
   for (const auto& option : list.options()) {
+    if (!newer && as_before(option.name)) continue;
     text += fmt::format("{}: {}  # {}{}\n", option.name, list.get(option.name),
                         option.unit.empty() || option.unit == "1" ? "" : "[" + option.unit + "] ",
                         option.text);
@@ -246,12 +261,16 @@ std::string protocol_to_text(const Protocol& protocol) {
   return text;
 }
 
+}  // namespace
+
+std::string protocol_to_text(const Protocol& protocol) { return protocol_text(protocol, true); }
+
 void write_protocol(const std::filesystem::path& path, const Protocol& protocol) {
   write_file(path, protocol_to_text(protocol));
 }
 
 std::string protocol_hash(const Protocol& protocol) {
-  return sha256(protocol_to_text(protocol)).substr(0, 16);
+  return sha256(protocol_text(protocol, false)).substr(0, 16);
 }
 
 std::string protocol_stamp(const Protocol& protocol) {

@@ -16,12 +16,12 @@ namespace scanchor {
 /// "scanchor-1"; docs/reference/protocols.md tells where each of the others differs and why.
 struct Protocol {
   std::string name = "scanchor-1";
-  int version = 1;
+  int version = 2;
 
   // Classes
   std::vector<std::string> classes;  ///< scored classes by name; empty: the whole class list
-  std::vector<std::pair<std::string, std::string>>
-      merge;                          ///< {from, into}: counted as one class, on both sides
+  std::vector<std::pair<std::string, std::string>> merge = {
+      {"bookcase", "shelf"}};         ///< {from, into}: counted as one class, on both sides
   std::string absent_class = "skip";  ///< a class in neither truth nor prediction: "skip" it in
                                       ///< means (COCO) or count it "zero" (SemanticKITTI)
 
@@ -30,7 +30,10 @@ struct Protocol {
       "mixed", "ghost", "out_of_range"};  ///< points with such a PointFlag have no truth
   int min_points = 50;                    ///< a thing with fewer points of truth is small
   double min_visible = 0.1;  ///< [0, 1] a thing less of whose planar faces was reached is ignored
-                             ///< (where the scene is known)
+                             ///< (where the scene is known); of the best seen of its large faces
+  double large_face =
+      0.1;  ///< [0, 1] share of the area of a thing's largest face that makes a large face
+  int min_face_points = 0;       ///< a large face with fewer points is not seen
   std::string small = "ignore";  ///< small things: "ignore" on both sides, or "unpunished" (a match
                                  ///< counts, a miss does not)
 

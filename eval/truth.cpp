@@ -147,13 +147,16 @@ std::vector<SeenFace> seen_faces(const Scan& scan, const Scene* scene) {
   return faces;
 }
 
-// How much was seen of the best seen of an instance's large faces (at least a tenth of its
-// largest). No visibility: 1.
-std::map<std::int32_t, double> instance_visibility(const Scan& scan, const Scene& scene) {
+// How much was seen of the best seen of an instance's large faces. No visibility: 1.
+std::map<std::int32_t, double> instance_visibility(const Scan& scan, const Scene& scene,
+                                                   const Protocol& protocol) {
   std::map<std::int32_t, double> best;
   if (scan.visibility.empty()) return best;
   std::map<std::int32_t, double> visible;
-  for (const auto& entry : scan.visibility) visible[entry.face] = entry.visible_fraction;
+  for (const auto& entry : scan.visibility) {
+    if (static_cast<double>(entry.points) >= protocol.min_face_points)
+      visible[entry.face] = entry.visible_fraction;
+  }
   std::map<std::int32_t, double> largest;
   const auto addresses = all_faces(scene);
   const auto face_of = [&](const FaceAddress& a) -> const Face& {
@@ -168,7 +171,7 @@ std::map<std::int32_t, double> instance_visibility(const Scan& scan, const Scene
   for (std::size_t i = 0; i < addresses.size(); ++i) {
     const auto found = visible.find(static_cast<std::int32_t>(i));
     if (found == visible.end()) continue;
-    if (face_of(addresses[i]).area < 0.1 * largest[addresses[i].instance]) continue;
+    if (face_of(addresses[i]).area < protocol.large_face * largest[addresses[i].instance]) continue;
     double& value = best[scene.instances[static_cast<std::size_t>(addresses[i].instance)].id];
     value = std::max(value, found->second);
   }
@@ -222,7 +225,7 @@ ScanTruth truth_of(const Scan& scan, const Scene* scene, const Protocol& protoco
     truth.ignored_planes.push_back(plane.ignored ? 1 : 0);
   }
   const auto visibility =
-      scene ? instance_visibility(scan, *scene) : std::map<std::int32_t, double>{};
+      scene ? instance_visibility(scan, *scene, protocol) : std::map<std::int32_t, double>{};
   for (auto& [id, thing] : things) {
     if (const auto found = visibility.find(id); found != visibility.end())
       thing.visible_fraction = found->second;

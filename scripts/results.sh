@@ -43,7 +43,7 @@ $scenes simulated offices, seed $seed, 100,000 beams each. What "found" and "wro
 quarter of it. Things with fewer than 50 points or less than a tenth of their faces in view do not count on either side.
 EOF
   measure "Default method, 1 cm range noise" default
-  measure "Default method, 1 cm range noise, only what is plainly in view" plain --protocol protocols/plain-view.yaml
+  measure "Default method, 1 cm range noise, each room from three places, only what is plainly in view" plain --scans 3 --protocol protocols/plain-view.yaml
   measure "Default method, 2 cm range noise" noisy --set lidar.range_sigma=0.02
   measure "The paper's method, the same descriptions, 1 cm" paper --set perceive.method=paper --set reason.mode=paper
   cat <<EOF

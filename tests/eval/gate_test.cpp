@@ -127,7 +127,7 @@ TEST(Gate, OtherProtocolOrDataIsRefused) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::bad_data);
-    EXPECT_THAT(error.what(), testing::HasSubstr("scanchor-1 v1"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("scanchor-1 v2"));
     EXPECT_THAT(error.what(), testing::HasSubstr("coco v1"));
   }
   RunResult moved = before;

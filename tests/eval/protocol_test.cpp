@@ -38,12 +38,23 @@ TEST(Protocol, EveryBuiltInOneReadsBackToItsHash) {
 TEST(Protocol, AnyChangedRuleChangesTheStamp) {
   Protocol protocol;
   const std::string before = protocol_stamp(protocol);
-  EXPECT_THAT(before, testing::StartsWith("scanchor-1 v1 ("));
+  EXPECT_THAT(before, testing::StartsWith("scanchor-1 v2 ("));
   protocol.min_points = 51;
   EXPECT_NE(protocol_stamp(protocol), before);
   protocol = Protocol{};
   protocol.ap_thresholds.pop_back();
   EXPECT_NE(protocol_stamp(protocol), before);
+  protocol = Protocol{};
+  protocol.large_face = 0.25;
+  EXPECT_NE(protocol_stamp(protocol), before);
+}
+
+// A key that is new and left alone changes no rule: what was stored before it came is still read.
+TEST(Protocol, NewKeysLeftAloneKeepTheStampsOfStoredRuns) {
+  Protocol first;
+  first.version = 1;
+  first.merge = {};
+  EXPECT_EQ(protocol_stamp(first), "scanchor-1 v1 (56bdad3528e44d61)");
 }
 
 TEST(Protocol, WhatAFileLeavesOutIsAsInItsBase) {

@@ -44,6 +44,51 @@ TEST(Truth, WhatHasFewPointsIsIgnored) {
   EXPECT_EQ(ignored, 1);
 }
 
+// A jamb that is seen whole shows no door: the face must be large, and have points of its own.
+TEST(Truth, PlainlyInViewIsALargeFaceWithPoints) {
+  SmallScan made = small_scan();
+  const auto addresses = all_faces(made.scene);
+  const auto face_of = [&](const FaceVisibility& entry) -> const Face& {
+    const auto& address = addresses[static_cast<std::size_t>(entry.face)];
+    return made.scene.instances[static_cast<std::size_t>(address.instance)]
+        .parts[static_cast<std::size_t>(address.part)]
+        .faces[static_cast<std::size_t>(address.face)];
+  };
+  const auto is_cabinet = [&](const FaceVisibility& entry) {
+    const auto& address = addresses[static_cast<std::size_t>(entry.face)];
+    return made.scene.instances[static_cast<std::size_t>(address.instance)].id == 3;
+  };
+  const auto ignored = [&](double large_face, int min_face_points) {
+    Protocol protocol;
+    protocol.large_face = large_face;
+    protocol.min_face_points = min_face_points;
+    const auto& list = truth_of(made.scan, &made.scene, protocol).ignored_instances;
+    return std::find(list.begin(), list.end(), 3) != list.end();
+  };
+  double largest = 0.0;
+  std::int32_t most = 0;
+  for (const auto& entry : made.scan.visibility) {
+    if (!is_cabinet(entry)) continue;
+    largest = std::max(largest, face_of(entry).area);
+    most = std::max(most, entry.points);
+  }
+  ASSERT_GT(most, 50);
+  EXPECT_FALSE(ignored(0.1, most));
+  EXPECT_TRUE(ignored(0.1, most + 1));
+  // Only the smallest face in view stays visible.
+  double smallest = largest;
+  for (auto& entry : made.scan.visibility) {
+    if (!is_cabinet(entry)) continue;
+    if (face_of(entry).area < smallest && entry.points > 0) smallest = face_of(entry).area;
+  }
+  ASSERT_LT(smallest, largest);
+  for (auto& entry : made.scan.visibility) {
+    if (is_cabinet(entry)) entry.visible_fraction = face_of(entry).area == smallest ? 1.0 : 0.0;
+  }
+  EXPECT_FALSE(ignored(0.99 * smallest / largest, 0));
+  EXPECT_TRUE(ignored(1.01 * smallest / largest, 0));
+}
+
 TEST(Truth, WhatIsHardlyVisibleIsIgnored) {
   SmallScan made = small_scan();
   for (auto& entry : made.scan.visibility) {
