@@ -6,9 +6,10 @@ namespace scanchor {
 
 namespace {
 
-constexpr double slack = 0.1;  // [m] a top lies on its frame and not in it
+constexpr double within_slack = 0.1;  // [m] a top lies on its frame and not in it
+constexpr double end_gap = 0.3;  // [m] what shadows may leave of boards ends before their panel
 
-bool lies_within(const Eigen::Vector3d& point, const Item& group) {
+bool lies_within(const Eigen::Vector3d& point, const Item& group, double slack = within_slack) {
   const Eigen::Vector3d d = point - group.center;
   return std::abs(d.dot(group.along)) <= group.half_length + slack &&
          std::abs(d.dot(group.across)) <= group.half_width + slack &&
@@ -53,10 +54,11 @@ void hold_together(const std::vector<std::int32_t>& groups, const std::vector<It
       if (is_whole && (main == g || entities[i].area > entities[main].area))
         main = static_cast<std::int32_t>(i);
     }
-    // The boards of a shelf are a group themselves.
+    // The boards of a shelf are a group themselves; its end stands at their edge.
     for (const auto other : groups) {
       if (other == g || entities[other].whole >= 0 || entities[other].label != whole ||
-          !lies_within(items[other].center, items[g]))
+          !(lies_within(items[other].center, items[g]) ||
+            lies_within(items[g].center, items[other], end_gap)))
         continue;
       pieces.push_back(other);
       if (main == g || entities[other].surfaces.size() > entities[main].surfaces.size())

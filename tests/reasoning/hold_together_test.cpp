@@ -169,5 +169,54 @@ class carcass part of shelf:
   EXPECT_EQ(two.entity_of_surface[6], two.entity_of_surface[7]);
 }
 
+// One end of a shelf is seen, and what shadows leave of its boards begins before it.
+TEST(HoldTogether, AnEndBesideItsBoardsIsNoShelfOfItsOwn) {
+  const char* const shelf = R"(
+axiom floor:
+    area at least 4 m2
+    horizontal
+    lowest
+class board part of shelf:
+    extension 0.5..1 m
+    width 0.3..0.45 m
+    horizontal
+class shelf:
+    at least 2 boards, each pair
+        parallel
+        stacked
+class panel part of shelf:
+    extension 1.4..2.2 m
+    width 0.3..0.5 m
+    vertical
+class gable part of shelf:
+    exactly 1 panels, each pair
+        parallel
+)";
+  const auto shelves = [&](double gap) {
+    std::vector<test::Plate> plates = {test::floor_plate()};
+    for (const double z : {0.4, 0.8, 1.2}) {
+      test::Plate board;
+      board.center = {0.35, 1.0, z};
+      board.length = 0.7;
+      board.width = 0.38;
+      plates.push_back(board);
+    }
+    test::Plate panel;
+    panel.center = {0.7 + gap, 1.0, 0.9};
+    panel.normal = Eigen::Vector3d::UnitX();
+    panel.along = Eigen::Vector3d::UnitZ();
+    panel.length = 1.8;
+    panel.width = 0.4;
+    plates.push_back(panel);
+    return reason(test::make_surfaces(plates), parse_ontology(shelf, "x.sdl"), {});
+  };
+  const auto one = shelves(0.2);
+  EXPECT_EQ(test::count_things(one, "shelf"), 1);
+  EXPECT_EQ(one.entity_of_surface[4], one.entity_of_surface[1]);
+  const auto two = shelves(0.8);
+  EXPECT_EQ(test::count_things(two, "shelf"), 2) << "an end further on is another's";
+  EXPECT_NE(two.entity_of_surface[4], two.entity_of_surface[1]);
+}
+
 }  // namespace
 }  // namespace scanchor
